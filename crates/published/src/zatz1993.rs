@@ -3,6 +3,7 @@
 
 pub mod transfers;
 mod mask;
+mod solid_angle;
 pub mod masked_light;
 pub mod masking;
 pub mod mask_setting;

@@ -10,6 +10,8 @@
 //! weighted:  M = ∫ κ V dA_h / ∫ κ dA_h
 //! ```
 //!
+//! On a curved receiver the weighted mask holds the cosine there, too ([`super::solid_angle`]).
+//!
 //! The plain mask is the paper's; it ignores cosines and distance, and finer masks do not converge to the
 //! truth. The weighted one is exact at its nodes for an even emitter. Both are known at the corners of equal
 //! cells of the element's coordinates and bilinear in between. Nodes where something stands on the element

@@ -11,6 +11,7 @@ use radiosity_light::direct::DirectLight;
 use crate::zatz1993::mask::Mask;
 use crate::zatz1993::mask_setting::Setting;
 use crate::zatz1993::masking::{Average, Masking};
+use crate::zatz1993::solid_angle::solid_angle;
 
 /// Rays along each direction of an emitter's patch, at centres of equal parts, in a plain average: 256 in
 /// all, each of which counts 0.4 %.
@@ -31,6 +32,8 @@ pub(super) struct SampledMask {
     pub(super) emitter: usize,
     pub(super) mask: Mask,
     pub(super) is_chosen: bool,
+    /// Whether the mask holds the cosine at the receiver, too.
+    pub(super) takes_cosine: bool,
 }
 
 /// Irradiance at a node from an emitter of exitance 1.
@@ -62,18 +65,18 @@ impl<'a> Receiver<'a> {
     /// The mask of an emitter, if its light needs one.
     fn automatic(&self, emitter: usize, how: Masking) -> Option<SampledMask> {
         let blockers = self.blockers(emitter);
-        if blockers.is_empty() {
+        if blockers.is_empty() && !self.takes_cosine(how) {
             return None;
         }
         let weighted = self.sampled(emitter, &blockers, Masking { average: Average::Weighted, ..how })?;
-        if !self.is_needed(emitter) {
+        if !self.is_needed(emitter) && !(self.takes_cosine(how) && self.has_horizon(emitter)) {
             return None;
         }
         let mask = match how.average {
             Average::Weighted => weighted,
             Average::Plain => self.sampled(emitter, &blockers, how)?,
         };
-        Some(SampledMask { emitter, mask, is_chosen: false })
+        Some(SampledMask { emitter, mask, is_chosen: false, takes_cosine: self.takes_cosine(how) })
     }
 
     /// The mask of an emitter, if it was chosen for this receiver and the two see each other.
@@ -82,7 +85,8 @@ impl<'a> Receiver<'a> {
         let pair = self.setting.chosen.iter().find(|pair| pair.is_of(own, other))?;
         let how = Masking { cells: pair.cells.unwrap_or(how.cells), ..how };
         let mask = self.sampled(emitter, &self.blockers(emitter), how)?;
-        self.is_lit(emitter).then_some(SampledMask { emitter, mask, is_chosen: true })
+        let takes_cosine = self.takes_cosine(how);
+        self.is_lit(emitter).then_some(SampledMask { emitter, mask, is_chosen: true, takes_cosine })
     }
 
     fn sampled(&self, emitter: usize, blockers: &[usize], how: Masking) -> Option<Mask> {
@@ -90,6 +94,19 @@ impl<'a> Receiver<'a> {
             Average::Weighted => Mask::new(how.cells, &|place| self.weighted(emitter, place)),
             Average::Plain => Mask::new(how.cells, &|place| self.plain(emitter, blockers, place)),
         }
+    }
+
+    /// Whether masks hold the cosine at the receiver, too: where it is curved.
+    fn takes_cosine(&self, how: Masking) -> bool {
+        how.average == Average::Weighted && self.element().plane.is_none()
+    }
+
+    /// Whether the emitter sets behind the receiver's own horizon: some visited nodes get light of it, others
+    /// would get none without obstacles.
+    fn has_horizon(&self, emitter: usize) -> bool {
+        let known = self.known.borrow();
+        let own = || known.values().flatten().flatten().filter(|one| one.emitter == emitter);
+        own().any(|one| one.seen > 0.0) && own().any(|one| one.unshadowed == 0.0)
     }
 
     fn blockers(&self, emitter: usize) -> Vec<usize> {
@@ -128,7 +145,11 @@ impl<'a> Receiver<'a> {
         let at = || self.point(place).map(|(position, normal)| self.arriving(position, normal));
         let arriving = known.entry(place.map(f64::to_bits)).or_insert_with(at).as_ref()?;
         let one = arriving.iter().find(|one| one.emitter == emitter)?;
-        Some(if one.unshadowed > 0.0 { (one.seen / one.unshadowed).clamp(0.0, 1.0) } else { 1.0 })
+        let whole = match self.element().plane {
+            Some(_) => one.unshadowed,
+            None => solid_angle(&self.setting.elements.list()[emitter], self.point(place)?.0),
+        };
+        Some(if whole > 0.0 { (one.seen / whole).clamp(0.0, 1.0) } else { 1.0 })
     }
 
     fn arriving(&self, position: DVec3, normal: DVec3) -> Vec<Arriving> {

@@ -51,6 +51,11 @@ impl<'a> Setting<'a> {
         self.coatings.iter().any(|coating| coating.exitance[element] > 0.0)
     }
 
+    /// Whether an element reflects, or lets light through.
+    pub(super) fn reflects(&self, element: usize) -> bool {
+        self.coatings.iter().any(|coating| coating.scatters(element))
+    }
+
     /// The coatings whose emitters may be masked: those of the scene, or one by which the chosen emitters
     /// alone emit.
     pub(super) fn emitters(&self) -> Vec<Cow<'a, Coating>> {

@@ -3,12 +3,23 @@
 //! Where the scene chooses no pairs, a pair is masked if something may stand between the two elements and
 //! hides, somewhere, more of the unshadowed light than the accuracy of shadows times all arriving light.
 //! Chosen pairs are masked whatever they need, and no others.
+//!
+//! An emitter may reflect as well. With r_h = b_h − e_h, the light of the whole system (Zatz 1993, eq. 29) is
+//!
+//! ```text
+//! E_i = Σ_{h masked for i} M_{i←h} G°_ih (e_h + r_h) + Σ_{h not masked} G_ih (e_h + r_h) .
+//! ```
+//!
+//! The system of the blocks carries G_ih r_h of all pairs. So the masked light of a known r is that of
+//! emission and reflection, less G_ih r_h of the masked pairs: D = Σ M G° (e + r) + Σ_{not masked} G e −
+//! Σ_{masked} G r. Found anew from the r of each solution, it converges to the light of eq. 29.
 
 use std::sync::Arc;
 
 use radiosity_core::dot;
+use radiosity_elements::Elements;
+use radiosity_elements::basis::AreaBasis;
 use radiosity_elements::coating::Coating;
-use radiosity_elements::{Elements, starts};
 use radiosity_kernel::block_columns::{BlockColumns, ByColumn};
 use radiosity_kernel::Blocks;
 use radiosity_light::direct::DirectLight;
@@ -25,6 +36,7 @@ use crate::zatz1993::mask_samples::{Receiver, SampledMask};
 use crate::zatz1993::masked_light::{MaskedEmitter, MaskedLight};
 use crate::zatz1993::mask_setting::Setting;
 use crate::zatz1993::masking::Masking;
+use crate::zatz1993::solid_angle;
 
 /// The pairs of elements whose light is masked, with what takes it from one to the other.
 #[derive(Clone, Debug)]
@@ -43,6 +55,8 @@ struct Pair {
     mask: Arc<Mask>,
     /// Its block of G°, row by row.
     open: Vec<f64>,
+    /// Its block of G, row by row, where the emitter reflects: what the mask stands for of reflected light.
+    shadowed: Option<Vec<f64>>,
 }
 
 impl MaskedPairs {
@@ -52,85 +66,129 @@ impl MaskedPairs {
         let list = setting.elements.list();
         let masks = masks(setting, how);
         let is_masked = |i: usize, h: usize| masks[i].iter().any(|own| own.emitter == h);
-        let either = |i: usize, h: usize| is_masked(i, h) || is_masked(h, i);
+        let is_plain = |i: usize, h: usize| masks[i].iter().any(|own| own.emitter == h && !own.takes_cosine);
+        let either = |i: usize, h: usize| is_plain(i, h) || is_plain(h, i);
         let open = setting.blocks(setting.open, &either, &work);
         let emits = |i: usize| setting.emits(i);
-        let sends = |i: usize, h: usize| emits(i) && !is_masked(h, i) || emits(h) && !is_masked(i, h);
+        let reflects = |i: usize| setting.reflects(i);
+        // What of an emitter's light a receiver takes by a block with shadows.
+        let takes = |i: usize, h: usize| if is_masked(i, h) { reflects(h) } else { emits(h) };
+        let sends = |i: usize, h: usize| takes(i, h) || takes(h, i);
         let rest = setting.blocks(setting.visibility, &sends, &work);
-        let open = open.gathered();
-        let columns = ByColumn::of(&open);
-        let block = |receiver: usize, emitter: usize| {
+        let (open, shadowed) = (open.gathered(), rest.gathered());
+        let [open, shadowed] = [&open, &shadowed].map(|blocks| ByColumn::of(blocks));
+        let block = |columns: &ByColumn<'_>, receiver: usize, emitter: usize| {
             let column = columns.column(emitter).into_iter();
             let own = column.filter(|block| block.row == receiver).map(|block| block.values.into_owned());
             let size = list[receiver].basis.len() * list[emitter].basis.len();
             own.last().unwrap_or_else(|| vec![0.0; size])
         };
-        let pair = |receiver: usize, SampledMask { emitter, mask, is_chosen }: SampledMask| Pair {
-            emitter,
-            is_chosen,
-            mask: Arc::new(mask),
-            open: block(receiver, emitter),
+        let pair = |receiver: usize, own: SampledMask| {
+            check_interrupt();
+            let SampledMask { emitter, mask, is_chosen, takes_cosine } = own;
+            let open = match takes_cosine {
+                true => solid_angle::block(&list[receiver], &list[emitter]),
+                false => block(&open, receiver, emitter),
+            };
+            let shadowed = reflects(emitter).then(|| block(&shadowed, receiver, emitter));
+            Pair { emitter, is_chosen, mask: Arc::new(mask), open, shadowed }
         };
         let of_receiver = |(receiver, own): (usize, Vec<SampledMask>)| {
             own.into_iter().map(|mask| pair(receiver, mask)).collect()
         };
-        let pairs = masks.into_iter().enumerate().map(of_receiver).collect();
+        let pairs = masks.into_par_iter().enumerate().map(of_receiver).collect();
         Self { pairs, rest }
     }
 
-    /// The light that elements of these `coatings` emit, one for each band.
-    pub fn light(&self, elements: &Elements, coatings: &[&Coating]) -> MaskedLight {
-        let starts = starts(elements.list());
+    /// Whether light that an emitter reflects goes through a mask.
+    pub fn reflect(&self) -> bool {
+        self.pairs.iter().flatten().any(|pair| pair.shadowed.is_some())
+    }
+
+    /// The light that elements of these `coatings` emit, one for each band, and through masks that of the
+    /// radiosity that they reflect, element by element, if it is known: less what the blocks carry of it.
+    pub fn light(
+        &self,
+        elements: &Elements,
+        coatings: &[&Coating],
+        reflected: Option<&[Vec<f64>]>,
+    ) -> MaskedLight {
+        let starts = elements.starts();
         let ones = elements.constant();
         let emitted: Vec<Vec<f64>> = coatings.iter().map(|own| own.emitted(&starts, &ones)).collect();
+        let sent = Sent { starts: &starts, emitted: &emitted, reflected };
         let of_receiver = |(receiver, pairs): (usize, &Vec<Pair>)| {
-            let own = |pair: &Pair| {
-                let sent = emitted.iter().map(|all| &all[starts[pair.emitter]..starts[pair.emitter + 1]]);
-                pair.light(elements, receiver, sent)
-            };
-            pairs.iter().filter_map(own).collect()
+            pairs.iter().filter_map(|pair| pair.light(&elements.list()[receiver].basis, &sent)).collect()
         };
         let masked = self.pairs.iter().enumerate().map(of_receiver).collect();
-        let plain = emitted.iter().map(|emitted| self.plain(elements, &starts, emitted)).collect();
+        let plain = (0..coatings.len()).map(|band| self.plain(elements, &sent, band)).collect();
         MaskedLight { masked, plain }
     }
 
-    /// Raw coefficients on each receiver of emitted light that is not masked.
-    fn plain(&self, elements: &Elements, starts: &[usize], emitted: &[f64]) -> Vec<Vec<f64>> {
-        let list = elements.list();
+    /// Raw coefficients on each receiver of emitted light that is not masked, less what blocks carry of
+    /// reflected light that is.
+    fn plain(&self, elements: &Elements, sent: &Sent<'_>, band: usize) -> Vec<Vec<f64>> {
+        let Sent { starts, emitted, .. } = *sent;
+        let (list, emitted) = (elements.list(), &emitted[band]);
         let mut plain = vec![0.0; emitted.len()];
         for emitter in 0..list.len() {
             let own = starts[emitter]..starts[emitter + 1];
             if emitted[own.clone()].iter().all(|value| *value == 0.0) {
                 continue;
             }
-            let mut sent = vec![0.0; emitted.len()];
-            sent[own.clone()].copy_from_slice(&emitted[own]);
-            let arriving = self.rest.apply(&sent);
+            let mut alone = vec![0.0; emitted.len()];
+            alone[own.clone()].copy_from_slice(&emitted[own]);
+            let arriving = self.rest.apply(&alone);
             let is_masked = |receiver: usize| self.pairs[receiver].iter().any(|pair| pair.emitter == emitter);
             for k in (0..list.len()).filter(|i| !is_masked(*i)).flat_map(|i| starts[i]..starts[i + 1]) {
                 plain[k] += arriving[k];
             }
         }
+        for (receiver, pair) in self.pairs.iter().enumerate().flat_map(|(i, own)| own.iter().map(move |p| (i, p))) {
+            let Some((block, reflected)) = pair.shadowed.as_ref().zip(sent.reflected(pair.emitter, band)) else {
+                continue;
+            };
+            let carried = product(block, reflected);
+            plain[starts[receiver]..].iter_mut().zip(carried).for_each(|(sum, carried)| *sum -= carried);
+        }
         list.iter().enumerate().map(|(i, own)| own.basis.to_raw(&plain[starts[i]..starts[i + 1]])).collect()
     }
 }
 
+/// Coefficients of the radiosity that elements send, per band.
+#[derive(Clone, Copy)]
+struct Sent<'a> {
+    starts: &'a [usize],
+    emitted: &'a [Vec<f64>],
+    /// What they reflect, where it is known.
+    reflected: Option<&'a [Vec<f64>]>,
+}
+
+impl<'a> Sent<'a> {
+    fn emitted(&self, element: usize, band: usize) -> &'a [f64] {
+        &self.emitted[band][self.starts[element]..self.starts[element + 1]]
+    }
+
+    fn reflected(&self, element: usize, band: usize) -> Option<&'a [f64]> {
+        Some(&self.reflected?[band][self.starts[element]..self.starts[element + 1]])
+    }
+}
+
 impl Pair {
-    /// The light of the emitter, which sends these coefficients in each band; None if it is dark.
-    fn light<'a>(
-        &self,
-        elements: &Elements,
-        receiver: usize,
-        sent: impl Iterator<Item = &'a [f64]> + Clone,
-    ) -> Option<MaskedEmitter> {
-        if sent.clone().flatten().all(|value| *value == 0.0) {
+    /// The light of the emitter on a receiver of this basis; None if it is dark.
+    fn light(&self, basis: &AreaBasis, sent: &Sent<'_>) -> Option<MaskedEmitter> {
+        let Self { emitter, is_chosen, ref mask, ref open, ref shadowed } = *self;
+        let of_band = |band: usize| match sent.reflected(emitter, band).filter(|_| shadowed.is_some()) {
+            None => sent.emitted(emitter, band).to_vec(),
+            Some(reflected) => {
+                sent.emitted(emitter, band).iter().zip(reflected).map(|(own, more)| own + more).collect()
+            }
+        };
+        let all: Vec<Vec<f64>> = (0..sent.emitted.len()).map(of_band).collect();
+        if all.iter().flatten().all(|value| *value == 0.0) {
             return None;
         }
-        let basis = &elements.list()[receiver].basis;
-        let arriving = |sent: &[f64]| basis.to_raw(&product(&self.open, sent));
-        let unshadowed = sent.map(arriving).collect();
-        let Self { emitter, is_chosen, ref mask, .. } = *self;
+        let unshadowed = all.iter().map(|sent| basis.to_raw(&product(open, sent))).collect();
         Some(MaskedEmitter { emitter, is_chosen, mask: Arc::clone(mask), unshadowed })
     }
 }

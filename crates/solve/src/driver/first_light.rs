@@ -17,6 +17,7 @@ use radiosity_work::ranks::Ranks;
 
 use super::emission::Emission;
 use super::options::Options;
+use crate::system::Coefficients;
 use crate::tolerances::POINT_OVER_BLOCK;
 
 /// The scene, as direct light is computed from it.
@@ -41,6 +42,7 @@ pub(super) struct FirstLight {
 /// The first light of one emission.
 #[derive(Debug)]
 struct EmissionLight {
+    masks: Option<Arc<MaskedPairs>>,
     masked: Option<Arc<MaskedLight>>,
     direct: DirectEntry,
 }
@@ -57,11 +59,42 @@ enum DirectEntry {
 /// The first light of one emission for certain reflectances.
 #[derive(Debug)]
 pub(super) struct EnteringLight {
+    /// The masks, where light is masked.
+    pub masks: Option<Arc<MaskedPairs>>,
     pub masked: Option<Arc<MaskedLight>>,
     pub entry: DirectLightEntry,
 }
 
 impl EnteringLight {
+    /// Whether light that emitters reflect goes through masks.
+    pub(super) fn is_reflected(&self) -> bool {
+        self.masks.as_ref().is_some_and(|masks| masks.reflect())
+    }
+
+    /// This light of `emission` where the solution `light` of all bands tells what emitters reflect through
+    /// masks. It is unchanged where none do.
+    pub(super) fn again(
+        self,
+        lit_scene: &LitScene<'_>,
+        emission: &Emission,
+        light: &[Coefficients],
+    ) -> Self {
+        let Some(masks) = self.masks.as_ref().filter(|masks| masks.reflect()) else { return self };
+        let elements = lit_scene.elements;
+        let (starts, ones) = (elements.starts(), elements.constant());
+        let reflected = |(coating, own): (&Coating, &Coefficients)| {
+            let emitted = coating.emitted(&starts, &ones);
+            own.radiosity.iter().zip(&emitted).map(|(b, e)| b - e).collect()
+        };
+        let reflected: Vec<Vec<f64>> = emission.coatings.iter().zip(light).map(reflected).collect();
+        let sources = emission.emitters(elements.list());
+        let masked = masks.light(elements, &sources.coatings, Some(&reflected));
+        let bounce = through_masks(lit_scene, &sources, &masked);
+        let bounce = bounce.repainted(&sources.coatings, &sources.coatings);
+        let entry = DirectLightEntry::Split(bounce.expect("the coatings are those it was made for"));
+        Self { entry, masked: Some(Arc::new(masked)), ..self }
+    }
+
     /// This light, projected on the functions of a subspace.
     pub(super) fn within(self, subspace: &Subspace) -> Self {
         let projected = |bands: Vec<Vec<f64>>| bands.iter().map(|own| subspace.projected(own)).collect();
@@ -77,6 +110,11 @@ impl EnteringLight {
 }
 
 impl FirstLight {
+    /// Whether light that emitters reflect goes through masks.
+    pub(super) fn is_reflected(&self) -> bool {
+        self.sources.iter().any(|own| own.masks.as_ref().is_some_and(|masks| masks.reflect()))
+    }
+
     /// The emissions whose light this is.
     pub(super) fn emissions(&self) -> &[Emission] {
         &self.emissions
@@ -93,8 +131,8 @@ impl FirstLight {
 
     /// The first light of `emissions` where it is known whether direct light is masked or split off.
     pub(super) fn as_split(lit_scene: &LitScene<'_>, emissions: Vec<Emission>, is_split: bool) -> Self {
-        let masks = masked_pairs(lit_scene, &emissions);
-        let of = |emission| EmissionLight::of(lit_scene, emission, masks.as_ref(), is_split);
+        let masks = masked_pairs(lit_scene, &emissions).map(Arc::new);
+        let of = |emission| EmissionLight::of(lit_scene, emission, masks.clone(), is_split);
         let sources = emissions.iter().map(of).collect();
         Self { is_split, emissions, sources }
     }
@@ -115,12 +153,12 @@ impl EmissionLight {
     fn of(
         lit_scene: &LitScene<'_>,
         emission: &Emission,
-        masks: Option<&MaskedPairs>,
+        masks: Option<Arc<MaskedPairs>>,
         is_split: bool,
     ) -> Self {
         let LitScene { elements, visibility, options, ranks, .. } = *lit_scene;
         let sources = emission.emitters(elements.list());
-        let masked = masks.map(|masks| masks.light(elements, &sources.coatings));
+        let masked = masks.as_ref().map(|masks| masks.light(elements, &sources.coatings, None));
         let direct = match &masked {
             Some(masked) => DirectEntry::Split(through_masks(lit_scene, &sources, masked)),
             None if is_split => {
@@ -130,7 +168,7 @@ impl EmissionLight {
             None if sources.points.is_empty() => DirectEntry::Carried,
             None => DirectEntry::Lit(lit_by(&sources, visibility, ranks)),
         };
-        Self { masked: masked.map(Arc::new), direct }
+        Self { masks, masked: masked.map(Arc::new), direct }
     }
 
     /// The light for the reflectances of the emission `new`, where this is that of `old` in all else.
@@ -145,7 +183,7 @@ impl EmissionLight {
                 DirectLightEntry::Split(bounce.repainted(&old.list(), &new.list())?)
             }
         };
-        Some(EnteringLight { masked: self.masked.clone(), entry })
+        Some(EnteringLight { masks: self.masks.clone(), masked: self.masked.clone(), entry })
     }
 }
 

@@ -9,6 +9,7 @@
 use std::sync::Arc;
 use std::time::Duration;
 
+use radiosity_core::norm;
 use radiosity_elements::Elements;
 use radiosity_elements::mesh::Mesh;
 use radiosity_kernel::Blocks;
@@ -40,6 +41,14 @@ use super::sampling::{Sampling, Subject};
 use super::shooting::ColumnSource;
 use super::shots::ShotLimit;
 use super::transport_choice::TransportChoice;
+
+/// Most solutions for light that emitters reflect through masks; each brings what is left nearer by about the
+/// reflectance times the part that shadows take of the light.
+const MOST_ROUNDS: usize = 20;
+
+/// Change of the radiosity from one of these solutions to the next at which it is the last, over the accuracy
+/// of the blocks.
+const ROUND_OVER_BLOCK: f64 = 0.1;
 
 /// The elements of a scene and the blocks between them.
 ///
@@ -258,16 +267,61 @@ impl Model {
         let mut again = Duration::ZERO;
         let first = timed(&mut again, || self.ready.first_light(scene, &emissions, work.ranks));
         seconds.direct += again;
-        let bands = self.bands(scene);
-        let options = &self.ready.options;
-        let shoots = options.solver.access == Access::Columns && self.ready.subspace.is_none();
-        let light = timed(&mut seconds.solve, || match options.bounces {
-            None if shoots => self.shot_from_all(scene, &emissions, &first, work),
-            None => bands.solved(&emissions, &first, work),
-            Some(bounces) => Ok(bands.bounced(&emissions, &first, bounces)),
-        })?;
+        let light = timed(&mut seconds.solve, || self.light(scene, &emissions, &first, work))?;
+        let entered = Entered { emissions, first };
+        let (entered, light) = timed(&mut again, || self.through_masks(scene, entered, light, work))?;
+        seconds.direct += again;
         work.report(Progress::Finished { stage: Stage::Solve, took: seconds.solve });
-        Ok(self.outcome(scene, Entered { emissions, first }, light, seconds, work.ranks))
+        Ok(self.outcome(scene, entered, light, seconds, work.ranks))
+    }
+
+    /// The light of `emissions` that entered as `first`.
+    fn light(
+        &self,
+        scene: &Scene,
+        emissions: &[Emission],
+        first: &[EnteringLight],
+        work: &Work<'_>,
+    ) -> Result<SolvedLight, Failure> {
+        let (bands, options) = (self.bands(scene), &self.ready.options);
+        let shoots = options.solver.access == Access::Columns && self.ready.subspace.is_none();
+        match options.bounces {
+            None if shoots => self.shot_from_all(scene, emissions, first, work),
+            None => bands.solved(emissions, first, work),
+            Some(bounces) => Ok(bands.bounced(emissions, first, bounces)),
+        }
+    }
+
+    /// The light where what emitters reflect goes through masks, too: solved anew from the reflection of each
+    /// solution, until that changes no more. Light of the first reflections or shots alone stays as it is.
+    fn through_masks(
+        &self,
+        scene: &Scene,
+        mut entered: Entered,
+        mut light: SolvedLight,
+        work: &Work<'_>,
+    ) -> Result<(Entered, SolvedLight), Failure> {
+        let options = &self.ready.options;
+        let is_partial = options.bounces.is_some() || options.shots.is_some();
+        if is_partial || !entered.first.iter().any(EnteringLight::is_reflected) {
+            return Ok((entered, light));
+        }
+        let lit_scene = self.ready.lit_scene(scene, work.ranks);
+        for _ in 0..MOST_ROUNDS {
+            let lit = entered.first.into_iter().zip(&entered.emissions).zip(&light.light);
+            let again = |((first, emission), own): ((EnteringLight, _), &Vec<_>)| {
+                first.again(&lit_scene, emission, own)
+            };
+            let first: Vec<EnteringLight> = lit.map(again).collect();
+            let next = self.light(scene, &entered.emissions, &first, work)?;
+            let change = change(&light.light, &next.light);
+            entered.first = first;
+            light = next;
+            if change <= options.eps * ROUND_OVER_BLOCK {
+                break;
+            }
+        }
+        Ok((entered, light))
     }
 
     /// Shoots light by columns of the blocks that are all there.
@@ -375,6 +429,17 @@ impl Model {
         };
         lit.map(group).collect()
     }
+}
+
+/// The largest relative change of the radiosity of an emission in a band.
+fn change(before: &[Vec<Coefficients>], after: &[Vec<Coefficients>]) -> f64 {
+    let pairs = before.iter().flatten().zip(after.iter().flatten());
+    let changes = pairs.map(|(before, after)| {
+        let size = norm(&after.radiosity);
+        let moved: Vec<f64> = after.radiosity.iter().zip(&before.radiosity).map(|(b, a)| b - a).collect();
+        if size > 0.0 { norm(&moved) / size } else { 0.0 }
+    });
+    changes.fold(0.0, f64::max)
 }
 
 /// The groups with other `light`, by coefficients of each in each band.

@@ -97,13 +97,7 @@ impl Ready {
         ranks: &Ranks,
     ) -> Vec<EnteringLight> {
         let first = self.first.reflected(emissions).unwrap_or_else(|| {
-            let lit_scene = LitScene {
-                scene,
-                elements: &self.elements,
-                visibility: &self.visibility,
-                options: &self.options,
-                ranks,
-            };
+            let lit_scene = self.lit_scene(scene, ranks);
             let anew = Emission::all(scene, self.elements.list());
             let first = FirstLight::as_split(&lit_scene, anew, self.first.is_split);
             first.reflected(emissions).expect("the emission is the same")
@@ -112,6 +106,12 @@ impl Ready {
             None => first,
             Some(subspace) => first.into_iter().map(|own| own.within(subspace)).collect(),
         }
+    }
+
+    /// A scene of these surfaces, as direct light is computed from it.
+    pub(super) fn lit_scene<'a>(&'a self, scene: &'a Scene, ranks: &'a Ranks) -> LitScene<'a> {
+        let Self { elements, visibility, options, .. } = self;
+        LitScene { scene, elements, visibility, options, ranks }
     }
 
     /// The shooter of the light of a scene of these surfaces.
@@ -135,6 +135,7 @@ impl Ready {
             _ if subspace.is_some() => "functions of the basis reach over elements",
             _ if !ranks.are_alone() => "several processes share the blocks",
             _ if ranks.journal().is_some() => "blocks are kept in a checkpoint",
+            _ if self.first.is_reflected() => "masks of what emitters reflect take the light of all",
             Options { columns: Some(ColumnChoice::All), .. } => "that was asked for",
             _ => return None,
         })
