@@ -2,6 +2,7 @@
 //! tracing.
 
 mod by_rays;
+mod chosen_masks;
 mod penumbrae;
 mod pictures;
 mod closure;

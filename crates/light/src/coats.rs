@@ -25,8 +25,8 @@ pub(crate) struct Coats {
 
 impl Coats {
     /// Elements of the same reflectances have the same coat, and so do all on which it varies; the last one
-    /// holds all that would be too many.
-    pub(crate) fn of(coatings: &[&Coating]) -> Self {
+    /// holds all that would be too many. Those `apart` have one each, after all others.
+    pub(crate) fn of(coatings: &[&Coating], apart: &[usize]) -> Self {
         let elements = coatings.first().map_or(0, |coating| coating.reflectance.len());
         let mut known = BTreeMap::new();
         let coat = |element: usize| {
@@ -36,9 +36,10 @@ impl Coats {
             let next = known.len();
             *known.entry(reflectances).or_insert(next.min(MOST - 1))
         };
-        let of_element: Vec<usize> = (0..elements).map(coat).collect();
+        let mut of_element: Vec<usize> = (0..elements).map(coat).collect();
         let count = of_element.iter().max().map_or(0, |last| last + 1);
-        Self { of_element, count }
+        apart.iter().zip(count..).for_each(|(element, coat)| of_element[*element] = coat);
+        Self { of_element, count: count + apart.len() }
     }
 
     /// Number of coats.

@@ -12,6 +12,8 @@
 //! The integrals over x are Gauss rules on m × m cells of each patch: many cells for D with its edges, few
 //! for the smooth g, whose points are exact for φ_k times a linear function.
 
+use std::collections::BTreeMap;
+
 use radiosity_core::dot;
 use radiosity_elements::coating::Coating;
 use radiosity_elements::patch::{Direction, Node, Patch};
@@ -63,6 +65,17 @@ pub struct Bounce {
     pub direct: Vec<Vec<f64>>,
     /// g, the coefficients of the irradiance that was reflected exactly once (W m⁻² times scene length).
     pub reflected: Vec<Vec<f64>>,
+    /// The part of g that each of some elements reflected, per band.
+    pub apart: BTreeMap<usize, Vec<Vec<f64>>>,
+}
+
+/// Direct light that is given at points.
+#[derive(Clone, Copy)]
+pub struct GivenLight<'a> {
+    /// Irradiance (W m⁻²) per band at a node of an element.
+    pub lit: IrradianceAt<'a>,
+    /// Elements whose part of the first bounce is kept apart, each once.
+    pub apart: &'a [usize],
 }
 
 /// Ways of direct light into the linear system.
@@ -137,6 +150,8 @@ pub struct CoatedBounce {
     coats: Coats,
     /// The part of g from each coat, per band.
     reflected: Vec<Vec<Vec<f64>>>,
+    /// Elements that have a coat of their own.
+    apart: Vec<usize>,
 }
 
 impl CoatedBounce {
@@ -153,26 +168,26 @@ impl CoatedBounce {
             let pairs = d.iter_mut().flatten().zip(of_points.iter().flatten());
             pairs.for_each(|(sum, own)| *sum += own);
         }
-        Self::reflected(sources, visibility, &lit, d, eps, ranks)
+        Self::reflected(sources, visibility, GivenLight { lit: &lit, apart: &[] }, d, eps, ranks)
     }
 
-    /// The first bounce of any direct light `lit`, from elements alone.
+    /// The first bounce of any direct light, from elements alone.
     pub fn of(
         sources: &Emitters<'_>,
         visibility: &Visibility,
-        lit: IrradianceAt<'_>,
+        light: GivenLight<'_>,
         eps: f64,
         ranks: &Ranks,
     ) -> Self {
-        let d = coefficients(sources, &Peaks::NONE, lit, ranks);
-        Self::reflected(sources, visibility, lit, d, eps, ranks)
+        let d = coefficients(sources, &Peaks::NONE, light.lit, ranks);
+        Self::reflected(sources, visibility, light, d, eps, ranks)
     }
 
-    /// The first bounce of the direct light `lit` with the coefficients d.
+    /// The first bounce of direct light with the coefficients d.
     fn reflected(
         sources: &Emitters<'_>,
         visibility: &Visibility,
-        lit: IrradianceAt<'_>,
+        GivenLight { lit, apart }: GivenLight<'_>,
         d: Vec<Vec<f64>>,
         eps: f64,
         ranks: &Ranks,
@@ -181,12 +196,12 @@ impl CoatedBounce {
         let bands = coatings.len();
         let scale = scales(elements, coatings, &d);
         let reflection = Reflection::new(elements, coatings, visibility, lit, scale, eps);
-        let coats = Coats::of(coatings);
+        let coats = Coats::of(coatings, apart);
         let light = DirectReflection { lit, reflection, coats: &coats };
         let of_element = |index: usize| of_reflected(&elements[index], index, &light);
         let mut channels = projected(elements.len(), coats.count() * bands, &of_element, ranks).into_iter();
         let reflected = (0..coats.count()).map(|_| channels.by_ref().take(bands).collect()).collect();
-        Self { direct: d, coats, reflected }
+        Self { direct: d, coats, reflected, apart: apart.to_vec() }
     }
 
     /// The bounce by `new` coatings of the same exitance as the `old` ones it was computed for. None where it
@@ -201,7 +216,17 @@ impl CoatedBounce {
             }
             sum
         };
-        Some(Bounce { direct: self.direct.clone(), reflected: (0..old.len()).map(of_band).collect() })
+        let own = |element: &usize| {
+            let coat = self.coats.of_element(*element);
+            let bands = self.reflected[coat].iter().zip(&factors[coat]);
+            let scaled = bands.map(|(part, factor)| part.iter().map(|g| factor * g).collect());
+            (*element, scaled.collect())
+        };
+        Some(Bounce {
+            direct: self.direct.clone(),
+            reflected: (0..old.len()).map(of_band).collect(),
+            apart: self.apart.iter().map(own).collect(),
+        })
     }
 }
 

@@ -145,7 +145,7 @@ impl<'a> System<'a> {
         match entry {
             DirectLightEntry::Carried => Self::new(elements, blocks, coating),
             DirectLightEntry::Lit(lit) => Self::lit(elements, blocks, coating, lit[band].clone()),
-            DirectLightEntry::Split(Bounce { direct, reflected }) => {
+            DirectLightEntry::Split(Bounce { direct, reflected, .. }) => {
                 Self::split(elements, blocks, coating, direct[band].clone(), reflected[band].clone())
             }
         }

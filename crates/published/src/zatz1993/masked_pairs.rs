@@ -10,10 +10,13 @@
 //! E_i = Σ_{h masked for i} M_{i←h} G°_ih (e_h + r_h) + Σ_{h not masked} G_ih (e_h + r_h) .
 //! ```
 //!
-//! The system of the blocks carries G_ih r_h of all pairs. So the masked light of a known r is that of
-//! emission and reflection, less G_ih r_h of the masked pairs: D = Σ M G° (e + r) + Σ_{not masked} G e −
-//! Σ_{masked} G r. Found anew from the r of each solution, it converges to the light of eq. 29.
+//! The rest of the solution carries r_h of all pairs: what h reflects of direct light by the first bounce, what
+//! it reflects of other light by the blocks. So the masked light of a known r is that of emission and
+//! reflection, less these two of the masked pairs: D = Σ M G° (e + r) + Σ_{not masked} G e − Σ_{masked} G r.
+//! Found anew from the r of each solution, it converges to the light of eq. 29.
 
+use std::collections::{BTreeMap, BTreeSet};
+use std::ops::Range;
 use std::sync::Arc;
 
 use radiosity_core::dot;
@@ -105,13 +108,20 @@ impl MaskedPairs {
         self.pairs.iter().flatten().any(|pair| pair.shadowed.is_some())
     }
 
+    /// The emitters that reflect, ascending.
+    pub fn reflecting(&self) -> Vec<usize> {
+        let reflecting = self.pairs.iter().flatten().filter(|pair| pair.shadowed.is_some());
+        let reflecting: BTreeSet<usize> = reflecting.map(|pair| pair.emitter).collect();
+        reflecting.into_iter().collect()
+    }
+
     /// The light that elements of these `coatings` emit, one for each band, and through masks that of the
-    /// radiosity that they reflect, element by element, if it is known: less what the blocks carry of it.
+    /// radiosity that they reflect, if it is known: less what reaches the receivers of it otherwise.
     pub fn light(
         &self,
         elements: &Elements,
         coatings: &[&Coating],
-        reflected: Option<&[Vec<f64>]>,
+        reflected: Option<&ReflectedLight<'_>>,
     ) -> MaskedLight {
         let starts = elements.starts();
         let ones = elements.constant();
@@ -145,11 +155,9 @@ impl MaskedPairs {
             }
         }
         for (receiver, pair) in self.pairs.iter().enumerate().flat_map(|(i, own)| own.iter().map(move |p| (i, p))) {
-            let Some((block, reflected)) = pair.shadowed.as_ref().zip(sent.reflected(pair.emitter, band)) else {
-                continue;
-            };
-            let carried = product(block, reflected);
-            plain[starts[receiver]..].iter_mut().zip(carried).for_each(|(sum, carried)| *sum -= carried);
+            let own = starts[receiver]..starts[receiver + 1];
+            let otherwise = sent.otherwise(pair, band, own.clone()).into_iter().flatten();
+            plain[own].iter_mut().zip(otherwise).for_each(|(sum, otherwise)| *sum -= otherwise);
         }
         list.iter().enumerate().map(|(i, own)| own.basis.to_raw(&plain[starts[i]..starts[i + 1]])).collect()
     }
@@ -160,8 +168,18 @@ impl MaskedPairs {
 struct Sent<'a> {
     starts: &'a [usize],
     emitted: &'a [Vec<f64>],
-    /// What they reflect, where it is known.
-    reflected: Option<&'a [Vec<f64>]>,
+    reflected: Option<&'a ReflectedLight<'a>>,
+}
+
+/// Radiosity that elements reflect, and the ways in which it reaches receivers beside masks.
+#[derive(Clone, Debug)]
+pub struct ReflectedLight<'a> {
+    /// Coefficients of all that they reflect, per band.
+    pub all: Vec<Vec<f64>>,
+    /// Coefficients of what they reflect of light that was reflected before, per band: blocks carry it.
+    pub again: Vec<Vec<f64>>,
+    /// Coefficients of the irradiance from each emitter that reflects direct light, per band.
+    pub once: &'a BTreeMap<usize, Vec<Vec<f64>>>,
 }
 
 impl<'a> Sent<'a> {
@@ -170,7 +188,16 @@ impl<'a> Sent<'a> {
     }
 
     fn reflected(&self, element: usize, band: usize) -> Option<&'a [f64]> {
-        Some(&self.reflected?[band][self.starts[element]..self.starts[element + 1]])
+        Some(&self.reflected?.all[band][self.starts[element]..self.starts[element + 1]])
+    }
+
+    /// Coefficients, on a receiver whose coefficients are `own`, of the light that an emitter reflects there
+    /// beside its mask.
+    fn otherwise(&self, pair: &Pair, band: usize, own: Range<usize>) -> Option<Vec<f64>> {
+        let (block, ReflectedLight { again, once, .. }) = (pair.shadowed.as_ref()?, self.reflected?);
+        let again = &again[band][self.starts[pair.emitter]..self.starts[pair.emitter + 1]];
+        let once = &once.get(&pair.emitter)?[band][own];
+        Some(product(block, again).iter().zip(once).map(|(again, once)| again + once).collect())
     }
 }
 

@@ -65,7 +65,7 @@ impl Balance {
                         sums[2].add((radiosity[k] - waits(k)) * lost);
                         sums[2].add(-one * lit[index][k]);
                     }
-                    DirectLightEntry::Split(Bounce { direct, reflected }) => {
+                    DirectLightEntry::Split(Bounce { direct, reflected, .. }) => {
                         let (direct, once) = (direct[index][k], reflected[index][k]);
                         sums[2].add(one * (exitance[k] - direct));
                         sums[2].add(one * (beside[k] - once));

@@ -6,11 +6,11 @@ use radiosity_elements::Elements;
 use radiosity_elements::coating::Coating;
 use radiosity_elements::patch::Node;
 use radiosity_light::emitters::Emitters;
-use radiosity_light::first_bounce::{Bounce, CoatedBounce, DirectLightEntry, lit_by};
+use radiosity_light::first_bounce::{Bounce, CoatedBounce, DirectLightEntry, GivenLight, lit_by};
 use radiosity_published::bases::Subspace;
 use radiosity_published::zatz1993::mask_setting::Setting;
 use radiosity_published::zatz1993::masked_light::MaskedLight;
-use radiosity_published::zatz1993::masked_pairs::MaskedPairs;
+use radiosity_published::zatz1993::masked_pairs::{MaskedPairs, ReflectedLight};
 use radiosity_scene::Scene;
 use radiosity_visibility::Visibility;
 use radiosity_work::ranks::Ranks;
@@ -80,16 +80,23 @@ impl EnteringLight {
         light: &[Coefficients],
     ) -> Self {
         let Some(masks) = self.masks.as_ref().filter(|masks| masks.reflect()) else { return self };
+        let DirectLightEntry::Split(Bounce { apart, .. }) = &self.entry else { return self };
         let elements = lit_scene.elements;
-        let (starts, ones) = (elements.starts(), elements.constant());
-        let reflected = |(coating, own): (&Coating, &Coefficients)| {
-            let emitted = coating.emitted(&starts, &ones);
-            own.radiosity.iter().zip(&emitted).map(|(b, e)| b - e).collect()
+        let starts = elements.starts();
+        let bands = || emission.coatings.iter().zip(light);
+        let reflected = |(coating, own): (&Coating, &Coefficients)| coating.reflected(&starts, &own.irradiance);
+        let again = |(coating, own): (&Coating, &Coefficients)| {
+            let later: Vec<f64> = own.irradiance.iter().zip(&own.direct).map(|(h, d)| h - d).collect();
+            coating.reflected(&starts, &later)
         };
-        let reflected: Vec<Vec<f64>> = emission.coatings.iter().zip(light).map(reflected).collect();
+        let reflected = ReflectedLight {
+            all: bands().map(reflected).collect(),
+            again: bands().map(again).collect(),
+            once: apart,
+        };
         let sources = emission.emitters(elements.list());
         let masked = masks.light(elements, &sources.coatings, Some(&reflected));
-        let bounce = through_masks(lit_scene, &sources, &masked);
+        let bounce = through_masks(lit_scene, &sources, masks, &masked);
         let bounce = bounce.repainted(&sources.coatings, &sources.coatings);
         let entry = DirectLightEntry::Split(bounce.expect("the coatings are those it was made for"));
         Self { entry, masked: Some(Arc::new(masked)), ..self }
@@ -101,8 +108,10 @@ impl EnteringLight {
         let entry = match self.entry {
             DirectLightEntry::Carried => DirectLightEntry::Carried,
             DirectLightEntry::Lit(lit) => DirectLightEntry::Lit(projected(lit)),
-            DirectLightEntry::Split(Bounce { direct, reflected }) => {
-                DirectLightEntry::Split(Bounce { direct: projected(direct), reflected: projected(reflected) })
+            DirectLightEntry::Split(Bounce { direct, reflected, apart }) => {
+                let [direct, reflected] = [direct, reflected].map(projected);
+                let apart = apart.into_iter().map(|(element, own)| (element, projected(own))).collect();
+                DirectLightEntry::Split(Bounce { direct, reflected, apart })
             }
         };
         Self { entry, ..self }
@@ -159,8 +168,8 @@ impl EmissionLight {
         let LitScene { elements, visibility, options, ranks, .. } = *lit_scene;
         let sources = emission.emitters(elements.list());
         let masked = masks.as_ref().map(|masks| masks.light(elements, &sources.coatings, None));
-        let direct = match &masked {
-            Some(masked) => DirectEntry::Split(through_masks(lit_scene, &sources, masked)),
+        let direct = match masks.as_ref().zip(masked.as_ref()) {
+            Some((masks, masked)) => DirectEntry::Split(through_masks(lit_scene, &sources, masks, masked)),
             None if is_split => {
                 let eps = POINT_OVER_BLOCK * options.shadow_eps;
                 DirectEntry::Split(CoatedBounce::new(&sources, visibility, eps, ranks))
@@ -187,14 +196,20 @@ impl EmissionLight {
     }
 }
 
-fn through_masks(lit_scene: &LitScene<'_>, sources: &Emitters<'_>, masked: &MaskedLight) -> CoatedBounce {
+fn through_masks(
+    lit_scene: &LitScene<'_>,
+    sources: &Emitters<'_>,
+    masks: &MaskedPairs,
+    masked: &MaskedLight,
+) -> CoatedBounce {
     let list = sources.elements;
     let lit = |element: usize, node: &Node| {
         let parameters = node.parameters.to_array();
         let at = |band| masked.at(band, list, element, node.position, parameters);
         (0..sources.coatings.len()).map(at).collect()
     };
-    CoatedBounce::of(sources, lit_scene.visibility, &lit, lit_scene.options.shadow_eps, lit_scene.ranks)
+    let light = GivenLight { lit: &lit, apart: &masks.reflecting() };
+    CoatedBounce::of(sources, lit_scene.visibility, light, lit_scene.options.shadow_eps, lit_scene.ranks)
 }
 
 /// The masked pairs of a scene with these emissions, where masks are asked for.

@@ -84,7 +84,7 @@ impl<'a> Shooting<'a> {
                 let first = sum(&emitted, &coating.reflected(&starts, &lit));
                 (first, Some(Apart { all: lit.clone(), direct: lit, is_split: false }))
             }
-            DirectLightEntry::Split(Bounce { direct, reflected }) => {
+            DirectLightEntry::Split(Bounce { direct, reflected, .. }) => {
                 let (direct, once) = (direct[band].clone(), &reflected[band]);
                 let first = coating.reflected(&starts, once);
                 (first, Some(Apart { all: sum(&direct, once), direct, is_split: true }))

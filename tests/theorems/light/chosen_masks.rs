@@ -1,0 +1,167 @@
+//! Shadow masks of pairs that the scene chooses, of emitters that only reflect, and on curved receivers.
+
+use radiosity::Work;
+use radiosity::published::zatz1993::masking::Masking;
+use radiosity::reading::files::solution_file::{SolutionFile, read};
+use radiosity::reading::grid::{Cell, Rates, grid};
+use radiosity::reading::reader::{ReadMode, Reader};
+use radiosity::reading::report::Report;
+use radiosity::scene::{MaskedPairDraft, Material, Scene, SceneBuilder, Source};
+use radiosity::solve::solution::Solution;
+use radiosity::solve::solved::Solved;
+use radiosity::solve::{Direct, Failure, Options, solve};
+use radiosity_geom::DVec3;
+use radiosity_geom::shapes::Parallelogram;
+use radiosity_test_support::scenes::{builtin, typed};
+use radiosity_test_support::solved::{outcome_of, solved_of};
+
+fn masked() -> Options {
+    Options { order: 6, subdivide: Some(1), masks: Some(Masking::default()), ..Options::default() }
+}
+
+fn unmasked() -> Options {
+    Options { masks: None, direct: Direct::Split, ..masked() }
+}
+
+/// Means over 12 × 12 cells.
+fn means(scene: &Scene, solution: &Solution, read: ReadMode) -> Vec<Cell> {
+    let visibility = Options::default().visibility(scene);
+    let reader = Reader::new(solution, &visibility, read, 1e-3);
+    grid(&reader, [12, 12], Rates::default(), &Work::alone())
+}
+
+/// Relative L2 difference of the irradiance over a surface.
+fn difference(scene: &Scene, name: &str, ours: &[Cell], exact: &[Cell]) -> f64 {
+    let surface = scene.surface_named(name).expect("it is there");
+    let both = || ours.iter().zip(exact).filter(|(cell, _)| cell.surface == surface);
+    let sum = |term: &dyn Fn(&Cell, &Cell) -> f64| both().map(|(a, b)| a.area * term(a, b)).sum::<f64>();
+    let error = sum(&|a, b| (a.irradiance[0] - b.irradiance[0]).powi(2));
+    (error / sum(&|_, b| b.irradiance[0].powi(2))).sqrt()
+}
+
+fn rectangle(origin: [f64; 3], first: [f64; 3], second: [f64; 3]) -> Parallelogram {
+    let [origin, first, second] = [origin, first, second].map(DVec3::from_array);
+    Parallelogram::new(origin, first, second).expect("two directions")
+}
+
+/// A lamp in the floor lights a white plate above; the plate's light falls back past a black panel, if it is
+/// there. Nothing else reflects it much.
+fn reflector(panel: bool, pairs: &[[&str; 2]]) -> Scene {
+    let mut scene = SceneBuilder::new("reflector", ["grey"]);
+    let material = |reflectance, emission| Material::new(vec![reflectance], vec![emission]).expect("a material");
+    let dark = scene.material("dark", material(0.3, 0.0));
+    let white = scene.material("white", material(0.9, 0.0));
+    let black = scene.material("black", material(0.0, 0.0));
+    let lamp = scene.material("lamp", material(0.0, 10.0));
+    scene.surface("floor", rectangle([0.2, 0.0, 0.0], [0.8, 0.0, 0.0], [0.0, 1.0, 0.0]), &dark);
+    scene.surface("lamp", rectangle([0.0, 0.4, 0.0], [0.16, 0.0, 0.0], [0.0, 0.2, 0.0]), &lamp);
+    scene.surface("plate", rectangle([0.35, 0.35, 1.0], [0.0, 0.3, 0.0], [0.3, 0.0, 0.0]), &white);
+    if panel {
+        let shape = rectangle([0.45, 0.3, 0.4], [0.25, 0.0, 0.0], [0.0, 0.4, 0.0]);
+        scene.surface("panel", shape, &black).two_sided();
+    }
+    for [emitter, receiver] in pairs {
+        scene.masks(MaskedPairDraft::new(*emitter, *receiver));
+    }
+    scene.build().expect("a scene")
+}
+
+/// The light of a surface that only reflects casts a shadow: by polynomials alone it rings, through a mask of
+/// that pair it keeps its edge.
+#[test]
+fn reflected_light_goes_through_a_chosen_mask() {
+    let plain = reflector(true, &[]);
+    let exact = means(&plain, &outcome_of(&plain, &unmasked()).solution, ReadMode::GatherTwice);
+    let ringing = means(&plain, &outcome_of(&plain, &unmasked()).solution, ReadMode::Basis);
+    let chosen = reflector(true, &[["plate", "floor"]]);
+    let through = means(&chosen, &outcome_of(&chosen, &masked()).solution, ReadMode::Basis);
+    let [ringing, through] = [&ringing, &through].map(|own| difference(&plain, "floor", own, &exact));
+    assert!(ringing > 0.05 && through < 0.2 * ringing, "{ringing} {through}");
+}
+
+/// Without obstacles the mask is 1 and the light of eq. 29 is that of the unmasked system.
+#[test]
+fn masks_change_nothing_where_nothing_stands_between() {
+    let plain = reflector(false, &[]);
+    let chosen = reflector(false, &[["plate", "floor"], ["floor", "plate"]]);
+    let [ours, exact] = [(&chosen, masked()), (&plain, unmasked())]
+        .map(|(scene, options)| means(scene, &outcome_of(scene, &options).solution, ReadMode::Basis));
+    for surface in ["floor", "plate", "lamp"] {
+        let difference = difference(&plain, surface, &ours, &exact);
+        assert!(difference < 2e-3, "{surface}: {difference}");
+    }
+}
+
+/// Pairs that are chosen are masked, and no others, each with its own cells; they are listed.
+#[test]
+fn chosen_pairs_are_the_only_ones() {
+    let scene = builtin("two-boxes");
+    let text = scene.source.as_ref().expect("it has a text").text().into_owned();
+    let text = text + "\n[[masks]]\nemitter = \"lamp\"\nreceiver = \"fl*\"\ncells = 7\n";
+    let scene = radiosity::language::read(&Source::new("two.toml", &text)).expect("a scene");
+    let solved = solved_of(scene, Options { order: 2, ..masked() });
+    let masks = Report::new(&solved, 1).masks;
+    let [only] = &masks[..] else { panic!("{masks:?}") };
+    assert_eq!((only.emitter.as_str(), only.receiver.as_str(), only.cells, only.chosen), ("lamp", "floor", 7, true));
+    // Two boxes of 1 and 0.81 m² stand on 16 m² of floor: their shadows take some of the light, not most.
+    assert!((0.5..0.95).contains(&only.mean), "{}", only.mean);
+}
+
+/// A pair that no light goes between is refused with its names.
+#[test]
+fn pairs_without_light_are_refused() {
+    for (pair, why) in [
+        (["panel", "floor"], "sends no light"),
+        (["lamp", "floor"], "do not see each other"),
+    ] {
+        let refused = solve(&reflector(true, &[pair]), &masked(), &Work::alone());
+        let failure = refused.err().expect("it is refused");
+        assert!(matches!(failure, Failure::NoMask { .. }), "{failure}");
+        let message = failure.to_string();
+        assert!(message.contains(why) && message.contains(pair[0]), "{message}");
+    }
+}
+
+/// A solution file holds its masks: what is read from it is the same light.
+#[test]
+fn masks_are_kept_with_the_solution() {
+    let scene = builtin("occluder-box");
+    let solved = solved_of(scene, Options { order: 2, ..masked() });
+    let file = serde_json::to_value(SolutionFile::new(&solved)).expect("a file");
+    let again = read(&Source::new("a.json", &file.to_string())).expect("it is read");
+    let light = |solved: &Solved| -> Vec<f64> {
+        let cells = means(&solved.scene, &solved.outcome.solution, ReadMode::Basis);
+        cells.into_iter().flat_map(|cell| cell.irradiance).collect()
+    };
+    assert_eq!(light(&again), light(&solved));
+    let mut older = file;
+    older.as_object_mut().expect("a table").remove("masked");
+    let refused = read(&Source::new("a.json", &older.to_string())).expect_err("its masks are missing");
+    assert!(refused.to_string().contains("does not hold its shadow masks"), "{refused}");
+    assert!(refused.cure().contains("solve the scene again"));
+}
+
+/// A ball under a lamp: its own horizon ends the light, which no polynomial follows. The mask holds the cosine.
+#[test]
+fn masks_follow_the_horizon_of_a_ball() {
+    let scene = typed(
+        r#"
+        materials.grey = { reflectance = 0.5 }
+        materials.lamp = { reflectance = 0, emission = 10 }
+        [[surfaces]]
+        name = "lamp"
+        material = "lamp"
+        disk = { center = [0, 0, 2], normal = [0, 0, -1], radius = 0.2 }
+        [[surfaces]]
+        name = "ball"
+        material = "grey"
+        sphere = { center = [0, 0, 0], radius = 0.5 }
+        "#,
+    );
+    let options = Options { order: 4, ..masked() };
+    let exact = means(&scene, &outcome_of(&scene, &options).solution, ReadMode::Gather);
+    let [plain, masked] = [Options { masks: None, direct: Direct::Projected, ..options }, options]
+        .map(|options| means(&scene, &outcome_of(&scene, &options).solution, ReadMode::Basis))
+        .map(|cells| difference(&scene, "ball", &cells, &exact));
+    assert!(masked < 0.25 * plain && masked < 0.03, "{masked} {plain}");
+}
