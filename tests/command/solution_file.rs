@@ -9,7 +9,6 @@ use radiosity::scene::Source;
 use radiosity::solve::Options;
 use radiosity::solve::solved::Solved;
 use radiosity::solve::studies::adaptation::{Aim, Goal};
-use radiosity::work::ranks::Ranks;
 use radiosity_test_support::folders::folder;
 use radiosity_test_support::scenes::{builtin, parsed};
 use radiosity_test_support::solved::solved_of;

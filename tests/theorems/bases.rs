@@ -15,7 +15,6 @@ use radiosity::solve::system::System;
 use radiosity::solve::system::ritz::Ritz;
 use radiosity::solve::{Options, Preconditioning, Transport};
 use radiosity::visibility::Visibility;
-use radiosity::work::ranks::Ranks;
 use radiosity_geom::DVec3;
 use radiosity_solvers::method::Method;
 use radiosity_solvers::{Preconditioner, Settings, Step, functional as functional_of};
@@ -384,8 +383,7 @@ fn solution_files_of_every_basis_are_read_as_they_were() {
         let file = radiosity::reading::files::solution_file::SolutionFile::new(&written);
         let text = serde_json::to_string(&file).expect("it is written");
         let source = radiosity::scene::Source::new("file", &text);
-        let read =
-            radiosity::reading::files::solution_file::read(&source).expect("it is read");
+        let read = radiosity::reading::files::solution_file::read(&source).expect("it is read");
         assert_eq!(read.options.basis, basis);
         assert_eq!(read.outcome.unknowns, written.outcome.unknowns);
         for (before, after) in written.outcome.solution.bands().iter().zip(read.outcome.solution.bands()) {

@@ -6,7 +6,6 @@ use radiosity::scene::{
     Camera, Fault, FaultKind, Material, NamedMaterial, Scene, SceneBuilder, SceneError, Source,
 };
 use radiosity::solve::Options;
-use radiosity::work::ranks::Ranks;
 use radiosity_geom::shapes::Parallelogram;
 use radiosity_geom::{DVec3, Flipped, Surface};
 use radiosity_test_support::scenes::{material, typed};

@@ -6,7 +6,6 @@ use std::path::Path;
 use radiosity::reading::files::solution_file::{SolutionFile, read};
 use radiosity::scene::{Scene, SceneError, Source};
 use radiosity::solve::Options;
-use radiosity::work::ranks::Ranks;
 use radiosity_test_support::folders;
 use radiosity_test_support::scenes::parsed;
 use radiosity_test_support::solved::solved_of;

@@ -8,7 +8,6 @@ use proptest::prelude::*;
 use radiosity::reading::files::solution_file::{SolutionFile, read};
 use radiosity::scene::{Notation, Scene, SceneError, Source};
 use radiosity::solve::Options;
-use radiosity::work::ranks::Ranks;
 use radiosity_test_support::folders::{self, png};
 use radiosity_test_support::grain;
 use radiosity_test_support::scenes::typed;
@@ -156,8 +155,7 @@ fn a_solution_needs_no_picture() {
     assert_eq!(text, again, "and it is written as it was read");
     let (before, after) = text.split_once("\"base64\":\"").expect("it holds the picture");
     for damaged in [format!("{before}\"base64\":\"?{after}"), format!("{before}\"base64\":\"AAAA{after}")] {
-        let error =
-            read(&Source::new("room.json", &damaged)).expect_err("the picture is damaged");
+        let error = read(&Source::new("room.json", &damaged)).expect_err("the picture is damaged");
         assert!(error.to_string().contains("picture") || error.to_string().contains("PNG"), "{error}");
     }
 }

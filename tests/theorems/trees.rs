@@ -9,7 +9,6 @@ use radiosity::geom::DVec3;
 use radiosity::reading::files::solution_file::{SolutionFile, read};
 use radiosity::scene::{FaultKind, Notation, Scene, SceneError, Source, Tree};
 use radiosity::solve::Options;
-use radiosity::work::ranks::Ranks;
 use radiosity_test_support::scenes::EVERY_SHAPE;
 use radiosity_test_support::scenes::parsed;
 use radiosity_test_support::solved::{outcome_of, solved_of};

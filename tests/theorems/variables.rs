@@ -3,7 +3,6 @@
 use radiosity::reading::files::solution_file::{SolutionFile, read};
 use radiosity::scene::{FaultKind, Scene, SceneError, Source};
 use radiosity::solve::Options;
-use radiosity::work::ranks::Ranks;
 use radiosity_test_support::scenes::{parsed, typed};
 use radiosity_test_support::solved::solved_of;
 

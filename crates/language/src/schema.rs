@@ -8,8 +8,8 @@ use serde_json::{Map, Value, json};
 
 use crate::{
     file::{
-        CameraFile, InstanceFile, LuminaireFile, MaskFile, MaterialFile, MotionFile, PartFile, PatternFile, PlaneFile,
-        RowsFile, SceneFile, SkyFile, SurfaceFile,
+        CameraFile, InstanceFile, LuminaireFile, MaskFile, MaterialFile, MotionFile, PartFile, PatternFile,
+        PlaneFile, RowsFile, SceneFile, SkyFile, SurfaceFile,
     },
     keys::KeyTable,
     kinds::TransformFile,

@@ -4,13 +4,14 @@ use std::{collections::BTreeMap, sync::Arc};
 
 use radiosity_geom::{DVec3, Surface};
 use radiosity_scene::{
-    Camera, Fault, FaultKind, Glass, MaskedPairDraft, Material, Opening, SensorPlane, Sky, Source, Sun, SurfaceDraft, Thermal,
+    Camera, Fault, FaultKind, Glass, MaskedPairDraft, Material, Opening, SensorPlane, Sky, Source, Sun,
+    SurfaceDraft, Thermal,
     bands::check_bands,
     covering::Covering,
     error::{Located, title},
     luminaire::across,
-    member_names::NamedMember,
     material::{check_emission, check_flux, check_reflectance, check_transmittance},
+    member_names::NamedMember,
     place::At,
     sky::{check_elevation, check_irradiance, no_up},
     surface_draft::{DraftPlaces, NamedShape},
@@ -18,7 +19,10 @@ use radiosity_scene::{
 };
 
 use crate::{
-    file::{Amount, CameraFile, GlassFile, MaskFile, MaterialFile, PerBand, PlaneFile, SkyFile, SunFile, SurfaceFile},
+    file::{
+        Amount, CameraFile, GlassFile, MaskFile, MaterialFile, PerBand, PlaneFile, SkyFile, SunFile,
+        SurfaceFile,
+    },
     instances::PlacedSurface,
     keys::NamedTable,
     textures::pattern,

@@ -17,8 +17,10 @@ pub struct MaskedSurfaces {
     pub emitter: String,
     /// Name of the surface on which it is.
     pub receiver: String,
-    /// Cells along each side of the mask of an element.
+    /// Cells along each side of the mask of an element, were all as fine as the finest may be.
     pub cells: usize,
+    /// Nodes that were sampled, of all masks.
+    pub samples: usize,
     /// Number of masks: pairs of their elements.
     pub masks: usize,
     /// Mean of the masks: 1 where all light arrives. Masks count by the areas of both elements.
@@ -31,6 +33,7 @@ pub struct MaskedSurfaces {
 #[derive(Default)]
 struct Sums {
     masks: usize,
+    samples: usize,
     weight: f64,
     weighted: f64,
 }
@@ -40,13 +43,14 @@ impl MaskedSurfaces {
     pub(crate) fn of(scene: &Scene, solution: &Solution) -> Vec<Self> {
         let list = solution.elements().list();
         let mut sums: BTreeMap<(usize, usize, usize, bool), Sums> = BTreeMap::new();
-        for MaskOfPair { receiver, emitter, cells, mean, is_chosen } in
+        for MaskOfPair { receiver, emitter, cells, samples, mean, is_chosen } in
             solution.masked().into_iter().flat_map(|masked| masked.masks())
         {
             let (receiver, emitter) = (&list[receiver], &list[emitter]);
             let own = sums.entry((receiver.surface, emitter.surface, cells, is_chosen)).or_default();
             let weight = receiver.area * emitter.area;
             own.masks += 1;
+            own.samples += samples;
             own.weight += weight;
             own.weighted += weight * mean;
         }
@@ -55,6 +59,7 @@ impl MaskedSurfaces {
             emitter: name(emitter),
             receiver: name(receiver),
             cells,
+            samples: sums.samples,
             masks: sums.masks,
             mean: sums.weighted / sums.weight,
             chosen,
@@ -65,10 +70,13 @@ impl MaskedSurfaces {
 
 impl fmt::Display for MaskedSurfaces {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { emitter, receiver, cells, masks, mean, chosen } = self;
+        let Self { emitter, receiver, cells, samples, masks, mean, chosen } = self;
         let masks = if *masks == 1 { "1 mask".to_owned() } else { format!("{masks} masks") };
         let why = if *chosen { "chosen" } else { "automatic" };
         let mean = decimals(*mean, 3);
-        write!(f, "'{emitter}' on '{receiver}': {masks} of {cells} × {cells} cells, mean {mean}, {why}")
+        write!(
+            f,
+            "'{emitter}' on '{receiver}': {masks} of {cells} × {cells} cells at the finest, {samples} samples, mean {mean}, {why}"
+        )
     }
 }

@@ -182,7 +182,7 @@ pub struct MethodRequest {
     #[cfg_attr(feature = "clap", arg(long, value_name = "E"))]
     pub shadow_eps: Option<Number<Accuracy>>,
 
-    /// Cells of a shadow mask along each side, with --shadows mask [default: 40]
+    /// Cells of a shadow mask along each side, at the finest, with --shadows mask [default: 40]
     #[cfg_attr(feature = "clap", arg(long, value_name = "M"))]
     pub mask_cells: Option<ranges::MaskCells>,
 

@@ -54,7 +54,7 @@ impl clap::ValueEnum for LightShadows {
     }
 
     fn to_possible_value(&self) -> Option<clap::builder::PossibleValue> {
-        let mask = "As auto, and direct light as polynomials times shadow masks, as in Zatz 1993; --read basis shows them";
+        let mask = "As auto, and direct light as polynomials times shadow masks, as in Zatz 1993, of the pairs that the scene lists as [[masks]] or else of all that need them; --read basis shows them";
         match self {
             Self::Found(shadows) => shadows.to_possible_value(),
             Self::Mask => Some(clap::builder::PossibleValue::new("mask").help(mask)),

@@ -81,7 +81,8 @@ impl MaskedPairDraft {
             None => Located::nowhere(fault),
         };
         let meant = |named: &NamedMember| {
-            let found = found(std::slice::from_ref(named), surfaces, MemberNames::all, Fault::unknown_surface);
+            let found =
+                found(std::slice::from_ref(named), surfaces, MemberNames::all, Fault::unknown_surface);
             found.map_err(|(span, fault)| located(span.as_ref(), fault))
         };
         let (emitters, receivers) = (meant(&self.emitter)?, meant(&self.receiver)?);

@@ -89,8 +89,7 @@ pub(super) fn found<H: Borrow<MemberNames>>(
         let meant = all.iter().enumerate().filter(|(_, own)| names((*own).borrow()).into_iter().any(means));
         found.extend(meant.map(|(index, _)| index));
         if found.len() == before {
-            let mut known: Vec<String> =
-                all.iter().flat_map(|own| names(own.borrow())).cloned().collect();
+            let mut known: Vec<String> = all.iter().flat_map(|own| names(own.borrow())).cloned().collect();
             known.sort_unstable();
             known.dedup();
             return Err((span.clone(), unknown(name, known)));

@@ -7,7 +7,7 @@ use radiosity::reading::grid::{Cell, Rates, grid};
 use radiosity::reading::reader::{ReadMode, Reader};
 use radiosity::reading::report::Report;
 use radiosity::scene::{MaskedPairDraft, Material, Scene, SceneBuilder, Source};
-use radiosity::solve::solution::Solution;
+use radiosity::solve::solution::{Solution, SurfacePlace};
 use radiosity::solve::solved::Solved;
 use radiosity::solve::{Direct, Failure, Options, solve};
 use radiosity_geom::DVec3;
@@ -48,7 +48,8 @@ fn rectangle(origin: [f64; 3], first: [f64; 3], second: [f64; 3]) -> Parallelogr
 /// there. Nothing else reflects it much.
 fn reflector(panel: bool, pairs: &[[&str; 2]]) -> Scene {
     let mut scene = SceneBuilder::new("reflector", ["grey"]);
-    let material = |reflectance, emission| Material::new(vec![reflectance], vec![emission]).expect("a material");
+    let material =
+        |reflectance, emission| Material::new(vec![reflectance], vec![emission]).expect("a material");
     let dark = scene.material("dark", material(0.3, 0.0));
     let white = scene.material("white", material(0.9, 0.0));
     let black = scene.material("black", material(0.0, 0.0));
@@ -76,7 +77,52 @@ fn reflected_light_goes_through_a_chosen_mask() {
     let chosen = reflector(true, &[["plate", "floor"]]);
     let through = means(&chosen, &outcome_of(&chosen, &masked()).solution, ReadMode::Basis);
     let [ringing, through] = [&ringing, &through].map(|own| difference(&plain, "floor", own, &exact));
-    assert!(ringing > 0.05 && through < 0.2 * ringing, "{ringing} {through}");
+    // The plate is not evenly bright, which masks take it for.
+    assert!(ringing > 0.05 && through < 0.5 * ringing, "{ringing} {through}");
+}
+
+/// Whether a panel at a height of 0.4 lets light through between a point of the floor and one of the plate.
+fn passes(x: DVec3, y: DVec3) -> bool {
+    let at = x + 0.4 * (y - x);
+    !((0.45..0.7).contains(&at.x) && (0.3..0.7).contains(&at.y))
+}
+
+/// The floor, which the plate alone lights, gets what eq. 29 says of the plate's radiosity B in the solution:
+/// the mask ∫ κ V dA / ∫ κ dA times ∫ κ B dA, both summed over small cells.
+#[test]
+fn reflected_light_is_that_of_equation_29() {
+    let scene = reflector(true, &[["plate", "floor"]]);
+    let solution = outcome_of(&scene, &masked()).solution;
+    let element =
+        |name| solution.elements().of_surface(scene.surface_named(name).expect("it is there")).start;
+    let (floor, plate) = (element("floor"), element("plate"));
+    let place = |element: usize, position: DVec3| SurfacePlace {
+        surface: solution.elements().list()[element].surface,
+        parameters: [0.0; 2],
+        position,
+    };
+    let side = 60;
+    let cells = (0..side * side).map(|k| {
+        let [a, b] = [k / side, k % side].map(|k| 0.35 + 0.3 * (f64::from(k) + 0.5) / f64::from(side));
+        DVec3::new(a, b, 1.0)
+    });
+    let cells: Vec<(DVec3, f64)> =
+        cells.map(|y| (y, solution.radiosity(0, plate, &place(plate, y)))).collect();
+    let cell = (0.3 / f64::from(side)).powi(2);
+    for (i, j) in (1..8).flat_map(|i| (1..8).map(move |j| (i, j))) {
+        let x = DVec3::new(0.2 + 0.1 * f64::from(i), 0.125 * f64::from(j), 0.0);
+        let (mut open, mut seen, mut light) = (0.0, 0.0, 0.0);
+        for (y, radiosity) in &cells {
+            // Both cosines are the height, 1, over the distance.
+            let kernel = cell / (std::f64::consts::PI * (*y - x).length_squared().powi(2));
+            open += kernel;
+            seen += if passes(x, *y) { kernel } else { 0.0 };
+            light += kernel * radiosity;
+        }
+        let expected = seen / open * light;
+        let found = solution.irradiance(0, floor, &place(floor, x));
+        assert!((found - expected).abs() < 0.03 * light, "{x}: {found}, {expected} of {light}");
+    }
 }
 
 /// Without obstacles the mask is 1 and the light of eq. 29 is that of the unmasked system.
@@ -102,7 +148,10 @@ fn chosen_pairs_are_the_only_ones() {
     let solved = solved_of(scene, Options { order: 2, ..masked() });
     let masks = Report::new(&solved, 1).masks;
     let [only] = &masks[..] else { panic!("{masks:?}") };
-    assert_eq!((only.emitter.as_str(), only.receiver.as_str(), only.cells, only.chosen), ("lamp", "floor", 7, true));
+    assert_eq!(
+        (only.emitter.as_str(), only.receiver.as_str(), only.cells, only.chosen),
+        ("lamp", "floor", 7, true)
+    );
     // Two boxes of 1 and 0.81 m² stand on 16 m² of floor: their shadows take some of the light, not most.
     assert!((0.5..0.95).contains(&only.mean), "{}", only.mean);
 }
@@ -110,10 +159,8 @@ fn chosen_pairs_are_the_only_ones() {
 /// A pair that no light goes between is refused with its names.
 #[test]
 fn pairs_without_light_are_refused() {
-    for (pair, why) in [
-        (["panel", "floor"], "sends no light"),
-        (["lamp", "floor"], "do not see each other"),
-    ] {
+    for (pair, why) in [(["panel", "floor"], "sends no light"), (["lamp", "floor"], "do not see each other")]
+    {
         let refused = solve(&reflector(true, &[pair]), &masked(), &Work::alone());
         let failure = refused.err().expect("it is refused");
         assert!(matches!(failure, Failure::NoMask { .. }), "{failure}");

@@ -174,7 +174,9 @@ fn told_apart(arg: &Arg) -> Option<&'static str> {
         "shots" => {
             "Stops after so many shots of solver=\"southwell\" in each band and light group: the polynomials then hold what was shot and what has arrived [default: as many as `tolerance` takes]"
         }
-        "mask_cells" => "Cells of a shadow mask along each side, with shadows=\"mask\" [default: 40]",
+        "mask_cells" => {
+            "Cells of a shadow mask along each side, at the finest, with shadows=\"mask\" [default: 40]"
+        }
         "quality" => {
             "Preset of order and accuracies, and of how finely points, planes and cells are read; single options go before it [default: \"default\"]"
         }

@@ -24,5 +24,5 @@ keys! {
 }
 
 /// The name of a surface.
-const NAME: ValueKind<String> =
-    ValueKind::new(|node| Ok(text(node)?.value), || terms::text("")).example(", the name of a surface, such as \"lamp\"");
+const NAME: ValueKind<String> = ValueKind::new(|node| Ok(text(node)?.value), || terms::text(""))
+    .example(", the name of a surface, such as \"lamp\"");

@@ -91,8 +91,8 @@ impl<'a> Receiver<'a> {
 
     fn sampled(&self, emitter: usize, blockers: &[usize], how: Masking) -> Option<Mask> {
         match how.average {
-            Average::Weighted => Mask::new(how.cells, &|place| self.weighted(emitter, place)),
-            Average::Plain => Mask::new(how.cells, &|place| self.plain(emitter, blockers, place)),
+            Average::Weighted => Mask::quadtree(how.cells, &|place| self.weighted(emitter, place)),
+            Average::Plain => Mask::uniform(how.cells, &|place| self.plain(emitter, blockers, place)),
         }
     }
 

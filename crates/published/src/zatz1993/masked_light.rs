@@ -45,8 +45,10 @@ pub struct MaskOfPair {
     pub receiver: usize,
     /// Index of the emitting element.
     pub emitter: usize,
-    /// Cells along each side of the receiver.
+    /// Cells along each side of the receiver, were all as fine as the finest may be.
     pub cells: usize,
+    /// Number of nodes that were sampled.
+    pub samples: usize,
     /// Mean of the mask over the coordinates of the receiver.
     pub mean: f64,
     /// Whether the pair was chosen in the scene.
@@ -109,6 +111,7 @@ impl MaskedLight {
                 receiver,
                 emitter: *emitter,
                 cells: mask.cells(),
+                samples: mask.samples(),
                 mean: mask.mean(),
                 is_chosen: *is_chosen,
             };

@@ -23,8 +23,8 @@ use radiosity_core::dot;
 use radiosity_elements::Elements;
 use radiosity_elements::basis::AreaBasis;
 use radiosity_elements::coating::Coating;
-use radiosity_kernel::block_columns::{BlockColumns, ByColumn};
 use radiosity_kernel::Blocks;
+use radiosity_kernel::block_columns::{BlockColumns, ByColumn};
 use radiosity_light::direct::DirectLight;
 use radiosity_light::emitters::{Emitters, Radiances};
 use radiosity_light::point_lights::PointLights;
@@ -36,8 +36,8 @@ use rayon::prelude::*;
 
 use crate::zatz1993::mask::Mask;
 use crate::zatz1993::mask_samples::{Receiver, SampledMask};
-use crate::zatz1993::masked_light::{MaskedEmitter, MaskedLight};
 use crate::zatz1993::mask_setting::Setting;
+use crate::zatz1993::masked_light::{MaskedEmitter, MaskedLight};
 use crate::zatz1993::masking::Masking;
 use crate::zatz1993::solid_angle;
 
@@ -154,7 +154,9 @@ impl MaskedPairs {
                 plain[k] += arriving[k];
             }
         }
-        for (receiver, pair) in self.pairs.iter().enumerate().flat_map(|(i, own)| own.iter().map(move |p| (i, p))) {
+        for (receiver, pair) in
+            self.pairs.iter().enumerate().flat_map(|(i, own)| own.iter().map(move |p| (i, p)))
+        {
             let own = starts[receiver]..starts[receiver + 1];
             let otherwise = sent.otherwise(pair, band, own.clone()).into_iter().flatten();
             plain[own].iter_mut().zip(otherwise).for_each(|(sum, otherwise)| *sum -= otherwise);
@@ -233,8 +235,7 @@ fn masks(setting: &Setting<'_>, how: Masking) -> Vec<Vec<SampledMask>> {
     let emitters = setting.emitters();
     let coatings = emitters.iter().map(AsRef::as_ref).collect();
     let sources = Emitters { elements: list, coatings, radiances: &radiances, points: &points };
-    let lights =
-        [visibility, open].map(|v| DirectLight::within(&sources, v, accuracy.shadow_eps));
+    let lights = [visibility, open].map(|v| DirectLight::within(&sources, v, accuracy.shadow_eps));
     let receives = |index: usize| {
         let is_one = |pair: &MaskedPair| pair.receivers.contains(&list[index].surface);
         chosen.is_empty() || chosen.iter().any(is_one)

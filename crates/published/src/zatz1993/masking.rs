@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 /// Resolution of masks, and the average that they sample.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Masking {
-    /// Cells along each side of an element; masks are sampled at their corners.
+    /// Cells along each side of an element, at the finest; masks are sampled at their corners.
     pub cells: NonZeroUsize,
     /// The average that is sampled.
     pub average: Average,

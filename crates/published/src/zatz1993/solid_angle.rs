@@ -97,7 +97,9 @@ fn visit(emitter: &Element, points: usize, x: DVec3, see: &mut dyn FnMut(&Node, 
 fn nodes(patch: &Patch, points: usize) -> impl Iterator<Item = (Node, f64)> {
     let rule = UnitRule::of(points);
     let side = 1.0 / CELLS as f64;
-    let places = move || (0..CELLS).flat_map(move |cell| rule.iter().map(move |(x, w)| (side * (cell as f64 + x), side * w)));
+    let places = move || {
+        (0..CELLS).flat_map(move |cell| rule.iter().map(move |(x, w)| (side * (cell as f64 + x), side * w)))
+    };
     places().flat_map(move |s| places().map(move |t| (s, t))).map(|((s, ws), (t, wt))| {
         let node = patch.node(s, t);
         (node, ws * wt * node.area)

@@ -73,18 +73,14 @@ impl EnteringLight {
 
     /// This light of `emission` where the solution `light` of all bands tells what emitters reflect through
     /// masks. It is unchanged where none do.
-    pub(super) fn again(
-        self,
-        lit_scene: &LitScene<'_>,
-        emission: &Emission,
-        light: &[Coefficients],
-    ) -> Self {
+    pub(super) fn again(self, lit_scene: &LitScene<'_>, emission: &Emission, light: &[Coefficients]) -> Self {
         let Some(masks) = self.masks.as_ref().filter(|masks| masks.reflect()) else { return self };
         let DirectLightEntry::Split(Bounce { apart, .. }) = &self.entry else { return self };
         let elements = lit_scene.elements;
         let starts = elements.starts();
         let bands = || emission.coatings.iter().zip(light);
-        let reflected = |(coating, own): (&Coating, &Coefficients)| coating.reflected(&starts, &own.irradiance);
+        let reflected =
+            |(coating, own): (&Coating, &Coefficients)| coating.reflected(&starts, &own.irradiance);
         let again = |(coating, own): (&Coating, &Coefficients)| {
             let later: Vec<f64> = own.irradiance.iter().zip(&own.direct).map(|(h, d)| h - d).collect();
             coating.reflected(&starts, &later)

@@ -20,8 +20,8 @@ use super::failure::Failure;
 use super::first_light::{EnteringLight, FirstLight, LitScene};
 use super::light_method::LightMethod;
 use super::options::Options;
-use super::outline::Outline;
 use super::outcome::{Stages, timed};
+use super::outline::Outline;
 use super::shooting::Shooter;
 use super::transport_choice::TransportChoice;
 
@@ -201,7 +201,8 @@ fn require_light_between(scene: &Scene, pair: &MaskedPair) -> Result<(), Failure
         return refused("the emitter sends no light, it neither emits nor reflects");
     }
     let outlines = |list: &[usize]| list.iter().map(|own| Outline::of(&scene.surfaces[*own])).collect();
-    let [emitters, receivers]: [Vec<Outline>; 2] = [&pair.emitters, &pair.receivers].map(|list| outlines(list));
+    let [emitters, receivers]: [Vec<Outline>; 2] =
+        [&pair.emitters, &pair.receivers].map(|list| outlines(list));
     let receives = |emitter: &Outline| receivers.iter().any(|own| own.exchanges_with(emitter));
     match emitters.iter().any(receives) {
         true => Ok(()),
