@@ -171,7 +171,7 @@ class Method(TypedDict, total=False):
         is given, else 3e-3, as `quality` says].
 
     mask_cells: int
-        Cells of a shadow mask along each side, with shadows="mask" [default: 40].
+        Cells of a shadow mask along each side, at the finest, with shadows="mask" [default: 40].
 
     mask_average: "weighted" or "plain"
         Values of a mask [default: weighted].
