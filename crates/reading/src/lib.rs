@@ -2,7 +2,7 @@
 //!
 //! In order: numbers as texts ([`digits`]), values on a grid of points ([`field`]), warnings, light at points
 //! and sensors ([`reader`], [`probe`], [`grid`], [`uniformity`], [`plane_figures`]) with its errors
-//! ([`read_error`], [`quality`]), the report of a run ([`report`], [`rank_work`], [`checkpoint`], [`masked_surfaces`]), light of
+//! ([`read_error`], [`quality`]), the report of a run ([`report`], [`rank_work`], [`checkpoint`]), light of
 //! pixels and texels ([`pictures`]), and solutions in files ([`files`]: our own, and curved cells of VTK).
 //!
 //! Imports `core`, `geom`, `solvers`, `work`, `scene`, `language`, `visibility`, `elements`, `kernel`,
@@ -23,7 +23,7 @@ pub mod quality;
 pub mod accuracy_warning;
 pub mod rank_work;
 pub mod checkpoint;
-pub mod masked_surfaces;
+mod masked_surfaces;
 pub mod report;
 pub mod row_sums;
 pub mod surface_light;

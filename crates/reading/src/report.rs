@@ -12,7 +12,7 @@ use radiosity_solve::{Functional, Outcome, Shots};
 use serde::Serialize;
 
 use crate::checkpoint::Checkpoint;
-use crate::masked_surfaces::MaskedSurfaces;
+pub use crate::masked_surfaces::MaskedSurfaces;
 use crate::plane_figures::PlaneFigures;
 use crate::rank_work::{RanksWork, peak_bytes};
 use crate::read_error::ReadError;
