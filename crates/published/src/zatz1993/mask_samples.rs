@@ -69,7 +69,7 @@ impl<'a> Receiver<'a> {
             return None;
         }
         let weighted = self.sampled(emitter, &blockers, Masking { average: Average::Weighted, ..how })?;
-        if !self.is_needed(emitter) && !(self.takes_cosine(how) && self.has_horizon(emitter)) {
+        if !(self.is_needed(emitter) || self.takes_cosine(how) && self.has_horizon(emitter)) {
             return None;
         }
         let mask = match how.average {

@@ -20,9 +20,9 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use radiosity_core::dot;
-use radiosity_elements::Elements;
 use radiosity_elements::basis::AreaBasis;
 use radiosity_elements::coating::Coating;
+use radiosity_elements::{Element, Elements};
 use radiosity_kernel::Blocks;
 use radiosity_kernel::block_columns::{BlockColumns, ByColumn};
 use radiosity_light::direct::DirectLight;
@@ -78,22 +78,16 @@ impl MaskedPairs {
         let takes = |i: usize, h: usize| if is_masked(i, h) { reflects(h) } else { emits(h) };
         let sends = |i: usize, h: usize| takes(i, h) || takes(h, i);
         let rest = setting.blocks(setting.visibility, &sends, &work);
-        let (open, shadowed) = (open.gathered(), rest.gathered());
-        let [open, shadowed] = [&open, &shadowed].map(|blocks| ByColumn::of(blocks));
-        let block = |columns: &ByColumn<'_>, receiver: usize, emitter: usize| {
-            let column = columns.column(emitter).into_iter();
-            let own = column.filter(|block| block.row == receiver).map(|block| block.values.into_owned());
-            let size = list[receiver].basis.len() * list[emitter].basis.len();
-            own.last().unwrap_or_else(|| vec![0.0; size])
-        };
+        let (all_open, all_shadowed) = (open.gathered(), rest.gathered());
+        let [open, shadowed] = [&all_open, &all_shadowed].map(|blocks| ByColumn::of(blocks));
         let pair = |receiver: usize, own: SampledMask| {
             check_interrupt();
             let SampledMask { emitter, mask, is_chosen, takes_cosine } = own;
             let open = match takes_cosine {
                 true => solid_angle::block(&list[receiver], &list[emitter]),
-                false => block(&open, receiver, emitter),
+                false => block(list, &open, receiver, emitter),
             };
-            let shadowed = reflects(emitter).then(|| block(&shadowed, receiver, emitter));
+            let shadowed = reflects(emitter).then(|| block(list, &shadowed, receiver, emitter));
             Pair { emitter, is_chosen, mask: Arc::new(mask), open, shadowed }
         };
         let of_receiver = |(receiver, own): (usize, Vec<SampledMask>)| {
@@ -220,6 +214,13 @@ impl Pair {
         let unshadowed = all.iter().map(|sent| basis.to_raw(&product(open, sent))).collect();
         Some(MaskedEmitter { emitter, is_chosen, mask: Arc::clone(mask), unshadowed })
     }
+}
+
+/// The block of a pair, row by row; zeros where there is none.
+fn block(list: &[Element], columns: &ByColumn<'_>, receiver: usize, emitter: usize) -> Vec<f64> {
+    let column = columns.column(emitter).into_iter();
+    let own = column.filter(|block| block.row == receiver).map(|block| block.values.into_owned()).next();
+    own.unwrap_or_else(|| vec![0.0; list[receiver].basis.len() * list[emitter].basis.len()])
 }
 
 /// The product of a matrix, row by row, and a vector.
