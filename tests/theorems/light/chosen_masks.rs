@@ -6,7 +6,7 @@ use radiosity::reading::files::solution_file::{SolutionFile, read};
 use radiosity::reading::grid::{Cell, Rates, grid};
 use radiosity::reading::reader::{ReadMode, Reader};
 use radiosity::reading::report::Report;
-use radiosity::scene::{MaskedPairDraft, Material, Scene, SceneBuilder, Source};
+use radiosity::scene::{MaskedPairDraft, Material, Notation, Scene, SceneBuilder, Source};
 use radiosity::solve::solution::{Solution, SurfacePlace};
 use radiosity::solve::solved::Solved;
 use radiosity::solve::{Direct, Failure, Options, solve};
@@ -167,6 +167,34 @@ fn pairs_without_light_are_refused() {
         let message = failure.to_string();
         assert!(message.contains(why) && message.contains(pair[0]), "{message}");
     }
+}
+
+/// What is wrong with a pair is told with its place and a cure; what is right is written again.
+#[test]
+fn pairs_are_read_with_their_places() {
+    let room = builtin("occluder-box").source.expect("it has a text").text().into_owned();
+    let with = |pair: &str| {
+        radiosity::language::read(&Source::new("box.toml", &format!("{room}\n[[masks]]\n{pair}")))
+    };
+    for (pair, cause, cure) in [
+        (
+            "emitter = \"lam\"\nreceiver = \"floor\"",
+            "mask 1: unknown surface \"lam\"",
+            "did you mean \"lamp\"",
+        ),
+        ("emitter = \"lamp\"\nreceiver = \"lamp\"", "the emitter and the receiver", "name two surfaces"),
+        ("emitter = \"lamp\"\nreceiver = \"floor\"\ncells = 0", "outside 1 ≤ cells ≤ 1000", "choose a value"),
+        ("emitter = \"lamp\"", "the key \"receiver\" is missing", "add `receiver"),
+    ] {
+        let error = with(pair).expect_err("it is refused");
+        assert!(error.place.is_some() && error.to_string().contains(cause), "{error}");
+        assert!(error.cure().is_some_and(|own| own.contains(cure)), "{:?}", error.cure());
+    }
+    let scene = with("emitter = \"lamp\"\nreceiver = \"wall*\"\ncells = 9").expect("it is right");
+    let text = radiosity::language::text(&scene, Notation::Toml).expect("it is written");
+    let again = typed(&text);
+    assert_eq!(again.masks, scene.masks);
+    assert_eq!((scene.masks[0].receivers.len(), scene.masks[0].cells.map(|own| own.get())), (4, Some(9)));
 }
 
 /// A solution file holds its masks: what is read from it is the same light.

@@ -159,7 +159,7 @@ impl Failure {
                     + set("transport", "exact")
                     + " has none), "
                     + option("checkpoint")
-                    + ", several processes, the rules of 1993"
+                    + ", several processes, the rules of 1993, masks of emitters that reflect"
             }
             Self::NoMask { .. } => {
                 words("take the pair out of [[masks]], or name surfaces whose fronts see each other")
