@@ -64,8 +64,8 @@ pub fn masked_pairs(
 }
 
 impl MaskedPairDraft {
-    /// The light of the surfaces `emitter` on the surfaces `receiver`, each the name of a surface, an entry or
-    /// an instance; a `*` at its end stands for any ending.
+    /// The light of the surfaces `emitter` on the surfaces `receiver`, each the name of a surface, an entry
+    /// or an instance; a `*` at its end stands for any ending.
     pub fn new(emitter: impl Into<String>, receiver: impl Into<String>) -> Self {
         let named = |name: String| NamedMember { name, span: None };
         Self { emitter: named(emitter.into()), receiver: named(receiver.into()), cells: None, span: None }

@@ -216,7 +216,8 @@ fn masks_are_kept_with_the_solution() {
     assert!(refused.cure().contains("solve the scene again"));
 }
 
-/// A ball under a lamp: its own horizon ends the light, which no polynomial follows. The mask holds the cosine.
+/// A ball under a lamp: its own horizon ends the light, which no polynomial follows. The mask holds the
+/// cosine.
 #[test]
 fn masks_follow_the_horizon_of_a_ball() {
     let scene = typed(

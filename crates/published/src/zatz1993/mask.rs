@@ -13,10 +13,10 @@
 //! On a curved receiver the weighted mask holds the cosine there, too ([`super::solid_angle`]).
 //!
 //! The plain mask is the paper's; it ignores cosines and distance, and finer masks do not converge to the
-//! truth. The weighted one is exact at its nodes for an even emitter. Both are known at the corners of cells of
-//! the element's coordinates and bilinear in between. The plain one has equal cells, as the paper has them; the
-//! weighted one a quadtree, whose cells are halved where the values at the corners and the middle of a cell
-//! differ, so that the finest follow the edge of the shadow. Nodes where something stands on the element have
+//! truth. The weighted one is exact at its nodes for an even emitter. Both are known at the corners of cells
+//! of the element's coordinates and bilinear in between. The plain one has equal cells, as the paper has
+//! them; the weighted one a quadtree, whose cells are halved where the values at the corners and the middle
+//! of a cell differ, so that the finest follow the edge of the shadow. Nodes where something stands on the element have
 //! no value of their own; they take that of the nearest free node, so that the interpolation does not darken
 //! the rim around the contact.
 
@@ -32,7 +32,8 @@ pub(super) type Sample<'a> = &'a dyn Fn([f64; 2]) -> Option<f64>;
 /// middles is missed. Chosen.
 const FEWEST: usize = 8;
 
-/// Difference of the values of a cell above which it is halved. Chosen: measured in docs/theory/visibility.md.
+/// Difference of the values of a cell above which it is halved. Chosen: docs/theory/visibility.md has what it
+/// does.
 const DIFFERENCE: f64 = 0.03;
 
 /// A function on an element with values in [0, 1], bilinear on each of its cells.

@@ -10,8 +10,8 @@
 //! E_i = Σ_{h masked for i} M_{i←h} G°_ih (e_h + r_h) + Σ_{h not masked} G_ih (e_h + r_h) .
 //! ```
 //!
-//! The rest of the solution carries r_h of all pairs: what h reflects of direct light by the first bounce, what
-//! it reflects of other light by the blocks. So the masked light of a known r is that of emission and
+//! The rest of the solution carries r_h of all pairs: what h reflects of direct light by the first bounce,
+//! what it reflects of other light by the blocks. So the masked light of a known r is that of emission and
 //! reflection, less these two of the masked pairs: D = Σ M G° (e + r) + Σ_{not masked} G e − Σ_{masked} G r.
 //! Found anew from the r of each solution, it converges to the light of eq. 29.
 

@@ -5,7 +5,8 @@
 //! visibility, and the polynomials keep what is smooth:
 //!
 //! ```text
-//! M = ∫ κ V dA_h / (Ω/π) ,     Ω/π = ∫ cos θ_h⁺ / (π r²) dA_h ,     p_kl = ∫ φ_k ∫ φ_l cos θ_h⁺ / (π r²) dA_h dA_i
+//! M = ∫ κ V dA_h / (Ω/π) ,      Ω/π = ∫ cos θ_h⁺ / (π r²) dA_h
+//! p_kl = ∫ φ_k ∫ φ_l cos θ_h⁺ / (π r²) dA_h dA_i
 //! ```
 //!
 //! with the solid angle Ω of the emitter. M is the mean over Ω of the cosine times the visibility, in [0, 1].
