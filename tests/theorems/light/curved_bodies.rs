@@ -29,8 +29,8 @@ const MOST: f64 = 0.01;
 /// Accuracy of light that is read, a third of [`MOST`].
 const READ: f64 = 3e-3;
 
-/// Cells of a mask along each side of an element: enough for means.
-const MASKS: NonZeroUsize = NonZeroUsize::new(8).expect("more than none");
+/// Cells of a mask along each side of an element: enough for means, also where masks hold the cosine.
+const MASKS: NonZeroUsize = NonZeroUsize::new(20).expect("more than none");
 
 /// How a shape stands in its room.
 #[derive(Clone, Copy, PartialEq, Eq)]

@@ -84,7 +84,7 @@ impl MaskedPairs {
             check_interrupt();
             let SampledMask { emitter, mask, is_chosen, takes_cosine } = own;
             let open = match takes_cosine {
-                true => solid_angle::block(&list[receiver], &list[emitter]),
+                true => solid_angle::block(&list[receiver], &list[emitter], &mask),
                 false => block(list, &open, receiver, emitter),
             };
             let shadowed = reflects(emitter).then(|| block(list, &shadowed, receiver, emitter));

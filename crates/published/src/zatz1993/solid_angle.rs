@@ -6,16 +6,18 @@
 //!
 //! ```text
 //! M = ∫ κ V dA_h / (Ω/π) ,      Ω/π = ∫ cos θ_h⁺ / (π r²) dA_h
-//! p_kl = ∫ φ_k ∫ φ_l cos θ_h⁺ / (π r²) dA_h dA_i
 //! ```
 //!
 //! with the solid angle Ω of the emitter. M is the mean over Ω of the cosine times the visibility, in [0, 1].
 
+use nalgebra::{DMatrix, DVector, RowDVector};
 use radiosity_core::dot;
 use radiosity_elements::Element;
 use radiosity_elements::patch::{Node, Patch};
 use radiosity_elements::rule::UnitRule;
 use radiosity_geom::DVec3;
+
+use crate::zatz1993::mask::Mask;
 
 /// A part of an emitter whose extent exceeds this part of its distance is halved: rules of a few points then
 /// miss less than 1e-4 of its solid angle. Chosen.
@@ -27,8 +29,11 @@ const MOST_HALVINGS: usize = 12;
 /// Points along each side of a part beyond the degree of the polynomials.
 const EXTRA_POINTS: usize = 2;
 
-/// Halvings of a receiver's patch in each direction.
-const CELLS: usize = 2;
+/// Cells of a receiver's patch along each side, for the edges that masks have.
+const CELLS: usize = 4;
+
+/// Weight ε of places that the mask leaves dark.
+const DARK: f64 = 1e-3;
 
 /// The solid angle of an emitter at a point, over π.
 pub(super) fn solid_angle(emitter: &Element, x: DVec3) -> f64 {
@@ -37,28 +42,31 @@ pub(super) fn solid_angle(emitter: &Element, x: DVec3) -> f64 {
     sum
 }
 
-/// ∬ φ_k φ_l cos θ_h⁺ / (π r²) dA_h dA_i, row-major: functions of the receiver by those of the emitter.
-pub(super) fn block(receiver: &Element, emitter: &Element) -> Vec<f64> {
-    let points = receiver.basis.order() + EXTRA_POINTS;
-    let columns = emitter.basis.len();
-    let mut raw_rows = vec![vec![0.0; columns]; receiver.basis.len()];
-    let mut raw = vec![0.0; receiver.basis.len()];
-    for patch in &receiver.patches {
-        for (node, weight) in nodes(patch, points) {
-            receiver.basis.raw(receiver.basis.frame().coordinates(&node), &mut raw);
-            let sent = arriving(emitter, node.position);
-            for (row, own) in raw_rows.iter_mut().zip(&raw) {
-                row.iter_mut().zip(&sent).for_each(|(sum, sent)| *sum += weight * own * sent);
-            }
-        }
+/// The coefficients p_kl on a receiver of Ω/π for each function φ_l of an emitter, row-major: those of
+///
+/// ```text
+/// ∫ (M + ε) φ_k (Σ_m p_ml φ_m − ∫ φ_l cos θ_h⁺ / (π r²) dA_h) dA_i = 0 ,
+/// ```
+///
+/// fitted where the mask M lets light through: power arrives as it would without polynomials.
+pub(super) fn block(receiver: &Element, emitter: &Element, mask: &Mask) -> Vec<f64> {
+    let (basis, points) = (&receiver.basis, receiver.basis.order() + EXTRA_POINTS);
+    let (rows, columns) = (basis.len(), emitter.basis.len());
+    let (mut matrix, mut right) = (DMatrix::zeros(rows, rows), DMatrix::zeros(rows, columns));
+    let mut raw = vec![0.0; rows];
+    for (node, area) in receiver.patches.iter().flat_map(|patch| nodes(patch, points)) {
+        let coordinates = basis.frame().coordinates(&node);
+        basis.raw(coordinates, &mut raw);
+        let own = basis.transform().chunks_exact(rows).map(|row| dot(row, &raw));
+        let own = DVector::from_iterator(rows, own);
+        let sent = RowDVector::from_vec(arriving(emitter, node.position));
+        let weight = area * (mask.at(coordinates) + DARK);
+        matrix.ger(weight, &own, &own, 1.0);
+        right += weight * &own * sent;
     }
-    let rows = receiver.basis.transform().chunks_exact(receiver.basis.len());
-    let entry = |row: &[f64], column: usize| -> f64 {
-        row.iter().zip(&raw_rows).map(|(factor, own)| factor * own[column]).sum()
-    };
-    rows.flat_map(|row| (0..columns).map(move |column| (row, column)))
-        .map(|(row, column)| entry(row, column))
-        .collect()
+    let factor = matrix.cholesky().expect("the weights are above 0, and the nodes tell the functions apart");
+    // Row by row.
+    factor.solve(&right).transpose().as_slice().to_vec()
 }
 
 /// ∫ φ_l cos θ_h⁺ / (π r²) dA_h at a point.
