@@ -5,7 +5,7 @@ use std::num::NonZeroUsize;
 
 use cpu_time::ProcessTime;
 use radiosity::elements::{Discretization, Subdivide};
-use radiosity::published::zatz1993::masked_light::{Average, Masking};
+use radiosity::published::zatz1993::masking::{Average, Masking};
 use radiosity::reading::quality::{Quality, ReadSettings};
 use radiosity::reading::reader::ReadMode;
 use radiosity::solve::driver::memory_estimate::MemoryEstimate;
