@@ -162,7 +162,7 @@ fn pairs_without_light_are_refused() {
     for (pair, why) in [(["panel", "floor"], "sends no light"), (["lamp", "floor"], "do not see each other")]
     {
         let refused = solve(&reflector(true, &[pair]), &masked(), &Work::alone());
-        let failure = refused.err().expect("it is refused");
+        let failure = refused.expect_err("it is refused");
         assert!(matches!(failure, Failure::NoMask { .. }), "{failure}");
         let message = failure.to_string();
         assert!(message.contains(why) && message.contains(pair[0]), "{message}");
