@@ -169,7 +169,7 @@ fn pairs_without_light_are_refused() {
     }
 }
 
-/// What is wrong with a pair is told with its place and a cure; what is right is written again.
+/// Faults of a pair are told with their place and a cure; pairs without fault are written again.
 #[test]
 fn pairs_are_read_with_their_places() {
     let room = builtin("occluder-box").source.expect("it has a text").text().into_owned();
