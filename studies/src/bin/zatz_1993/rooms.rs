@@ -38,8 +38,11 @@ struct Room {
 pub(crate) fn table_1(out: &mut impl Write) -> Result<(), Box<dyn Error>> {
     header(out)?;
     let all = rooms()?;
-    let mut rows = all.iter().flat_map(|room| RULES.map(|rules| (room, rules)));
+    let (masked_teapot, others) = all.split_last().ok_or("no rooms")?;
+    let mut rows = others.iter().flat_map(|room| RULES.map(|rules| (room, rules)));
     rows.try_for_each(|(room, rules)| row(out, room, rules))?;
+    // By our rules its blocks without shadows take minutes.
+    row(out, masked_teapot, RULES[0])?;
     writeln!(
         out,
         "\nShots are counted until {STOP:e} of the emitted power waits, of all functions of a surface at once / of single functions. With \
