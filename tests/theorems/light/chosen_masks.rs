@@ -169,6 +169,26 @@ fn pairs_without_light_are_refused() {
     }
 }
 
+/// Masks of one cell in a closed room that reflects nearly all light: each solution is brighter than the one
+/// before, and none is told as the light.
+#[test]
+fn light_that_does_not_settle_is_refused() {
+    let scene = typed(
+        r#"
+        materials.white = { reflectance = 0.99 }
+        materials.lamp = { reflectance = 0.99, emission = 100 }
+        surfaces = [
+            { name = "box", material = "white", box = { origin = [-0.5, -0.5, 0.8], size = [1, 1, 0.4] } },
+            { name = "room", material = "white", box = { origin = [-2, -2, 0], size = [4, 4, 3], inward = true } },
+            { name = "lamp", material = "lamp", box = { origin = [-0.3, -0.3, 2], size = [0.6, 0.6, 0.2] } },
+        ]
+        masks = [{ emitter = "*", receiver = "*", cells = 1 }]
+        "#,
+    );
+    let refused = solve(&scene, &Options { order: 0, subdivide: None, ..masked() }, &Work::alone());
+    assert!(matches!(refused, Err(Failure::MasksUnsettled { .. })));
+}
+
 /// Faults of a pair are told with their place and a cure; pairs without fault are written again.
 #[test]
 fn pairs_are_read_with_their_places() {

@@ -84,10 +84,11 @@ impl Mask {
         Some(Self { cells: roots << halvings, samples, roots, tree })
     }
 
-    /// Whether there are finite values in all its cells.
+    /// Whether there are values from 0 to 1 in all its cells.
     pub(super) fn is_valid(&self) -> bool {
         let count = self.roots.checked_mul(self.roots);
-        self.roots > 0 && count == Some(self.tree.len()) && self.tree.iter().all(Cell::is_finite)
+        let is_cut = self.roots > 0 && count == Some(self.tree.len()) && self.cells >= self.roots;
+        is_cut && self.tree.iter().all(Cell::is_valid)
     }
 
     /// Cells along each side, were all as fine as the finest may be.
@@ -114,10 +115,10 @@ impl Mask {
 }
 
 impl Cell {
-    fn is_finite(&self) -> bool {
+    fn is_valid(&self) -> bool {
         match self {
-            Self::Whole(corners) => corners.iter().all(|own| own.is_finite()),
-            Self::Halved(quarters) => quarters.iter().all(Self::is_finite),
+            Self::Whole(corners) => corners.iter().all(|own| (0.0..=1.0).contains(own)),
+            Self::Halved(quarters) => quarters.iter().all(Self::is_valid),
         }
     }
 

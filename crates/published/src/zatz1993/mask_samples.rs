@@ -82,7 +82,7 @@ impl<'a> Receiver<'a> {
     /// The mask of an emitter, if it was chosen for this receiver and the two see each other.
     fn chosen(&self, emitter: usize, how: Masking) -> Option<SampledMask> {
         let [own, other] = [self.index, emitter].map(|index| self.setting.elements.list()[index].surface);
-        let pair = self.setting.chosen.iter().find(|pair| pair.is_of(own, other))?;
+        let pair = self.setting.chosen.iter().rfind(|pair| pair.is_of(own, other))?;
         let how = Masking { cells: pair.cells.unwrap_or(how.cells), ..how };
         let mask = self.sampled(emitter, &self.blockers(emitter), how)?;
         let takes_cosine = self.takes_cosine(how);

@@ -85,6 +85,14 @@ fn cure_of_power(options: &Options, outcome: &Outcome) -> Wording {
     let of_band = |band: &Band| dot(&band.coefficients.radiosity, &ones);
     let carried: f64 = solution.bands().iter().map(of_band).sum();
     let is_direct = checks.energy_lost.abs() > BEYOND * missed * carried;
+    if options.masks.is_some() {
+        return words(
+            "where surfaces reflect nearly all light, what masks err by counts once for every reflection: take more ",
+        ) + option("mask-cells")
+            + ", or leave "
+            + set("shadows", "mask")
+            + " out";
+    }
     match (is_direct, has_points, outcome.split) {
         (true, true, _) => words(
             "narrow beams and patches of luminaires or the sun fall between the points at which elements take their light, and \

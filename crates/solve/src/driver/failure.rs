@@ -50,6 +50,12 @@ pub enum Failure {
         /// Why there is nothing to mask.
         why: &'static str,
     },
+    /// Light that emitters reflect through masks changes from one solution to the next.
+    #[error("light that is reflected through shadow masks does not settle in {rounds} solutions")]
+    MasksUnsettled {
+        /// Number of solutions.
+        rounds: usize,
+    },
     /// Columns were to be integrated when they are first shot, and cannot be.
     #[error("{}", self.message())]
     AllFirst {
@@ -160,6 +166,14 @@ impl Failure {
                     + " has none), "
                     + option("checkpoint")
                     + ", several processes, the rules of 1993, masks of emitters that reflect"
+            }
+            Self::MasksUnsettled { .. } => {
+                words(
+                    "choose fewer pairs in [[masks]], of emitters that reflect little, take weighted masks of more ",
+                ) + option("mask-cells")
+                    + ", or leave "
+                    + set("shadows", "mask")
+                    + " out"
             }
             Self::NoMask { .. } => {
                 words("take the pair out of [[masks]], or name surfaces whose fronts see each other")

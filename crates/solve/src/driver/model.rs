@@ -42,8 +42,9 @@ use super::shooting::ColumnSource;
 use super::shots::ShotLimit;
 use super::transport_choice::TransportChoice;
 
-/// Most solutions for light that emitters reflect through masks; each brings what is left nearer by about the
-/// reflectance times the part that shadows take of the light.
+/// Most solutions for light that emitters reflect through masks. Each changes the radiosity by less than the
+/// one before where masks take little of what is reflected, and by more where they take much and reflectances
+/// are high: then there is no light to be told.
 const MOST_ROUNDS: usize = 20;
 
 /// Change of the radiosity from one of these solutions to the next at which it is the last, over the accuracy
@@ -294,6 +295,9 @@ impl Model {
 
     /// The light where what emitters reflect goes through masks, too: solved anew from the reflection of each
     /// solution, until that changes no more. Light of the first reflections or shots alone stays as it is.
+    ///
+    /// # Errors
+    /// [`Failure::MasksUnsettled`] where it still changes after [`MOST_ROUNDS`].
     fn through_masks(
         &self,
         scene: &Scene,
@@ -318,10 +322,10 @@ impl Model {
             entered.first = first;
             light = next;
             if change <= options.eps * ROUND_OVER_BLOCK {
-                break;
+                return Ok((entered, light));
             }
         }
-        Ok((entered, light))
+        Err(Failure::MasksUnsettled { rounds: MOST_ROUNDS })
     }
 
     /// Shoots light by columns of the blocks that are all there.

@@ -173,7 +173,8 @@ pub(super) fn require_diffuse(scene: &Scene, options: &Options) -> Result<(), Fa
     if let Some(own) = shines {
         return Err(Failure::Unmasked { luminaire: own.name.clone() });
     }
-    if options.masks.is_some() {
+    let is_frame = scene.source.as_ref().is_some_and(|own| own.moment.is_some());
+    if options.masks.is_some() && !is_frame {
         scene.masks.iter().try_for_each(|pair| require_light_between(scene, pair))?;
     }
     let what = match options {
@@ -197,12 +198,13 @@ fn require_light_between(scene: &Scene, pair: &MaskedPair) -> Result<(), Failure
         let MaskedPair { emitter, receiver, .. } = pair;
         Err(Failure::NoMask { emitter: emitter.clone(), receiver: receiver.clone(), why })
     };
-    if !pair.emitters.iter().any(|own| scene.surfaces[*own].material.sends()) {
+    let sending = pair.emitters.iter().copied().filter(|own| scene.surfaces[*own].material.sends());
+    let sending: Vec<usize> = sending.collect();
+    if sending.is_empty() {
         return refused("the emitter sends no light, it neither emits nor reflects");
     }
     let outlines = |list: &[usize]| list.iter().map(|own| Outline::of(&scene.surfaces[*own])).collect();
-    let [emitters, receivers]: [Vec<Outline>; 2] =
-        [&pair.emitters, &pair.receivers].map(|list| outlines(list));
+    let [emitters, receivers]: [Vec<Outline>; 2] = [&sending, &pair.receivers].map(|list| outlines(list));
     let receives = |emitter: &Outline| receivers.iter().any(|own| own.exchanges_with(emitter));
     match emitters.iter().any(receives) {
         true => Ok(()),

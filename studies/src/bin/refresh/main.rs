@@ -75,7 +75,8 @@ fn tables(
             Ok(fresh) => {
                 // Read again: the document may have changed while the command ran.
                 let text = fs::read_to_string(document)?;
-                let Kind::Output(place) = steps(&text)?.swap_remove(k).kind else { continue };
+                let same = steps(&text)?.into_iter().nth(k).filter(|now| now.command == step.command);
+                let Some(Kind::Output(place)) = same.map(|now| now.kind) else { continue };
                 if fresh.trim().is_empty() {
                     wrong.push(format!("'{}' prints nothing", step.command));
                 } else {
@@ -127,6 +128,9 @@ fn walk(
 /// Adds what is different from what stands at a step's place.
 fn compare(document: &str, step: &Step, fresh: &str, extent: Extent, wrong: &mut Vec<String>) {
     let Kind::Output(place) = &step.kind else { return };
+    if fresh.trim().is_empty() {
+        wrong.push(format!("'{}' prints nothing", step.command));
+    }
     let found = differences(&place.there, fresh, extent);
     wrong.extend(found.iter().map(|difference| format!("{document}, '{}', {difference}", step.command)));
 }

@@ -129,7 +129,11 @@ impl SolutionFile {
 
     /// The masked light of group number `index`, or of all light, if light is masked.
     fn masked(&self, index: usize, elements: &Elements) -> Result<Option<Arc<MaskedLight>>, SolutionFault> {
-        if self.options.masks.is_none() {
+        let expected = if self.options.masks.is_some() { self.groups.len().max(1) } else { 0 };
+        if self.masked.len() > expected {
+            return Err(SolutionFault::Whole(Mismatch("the light through masks")));
+        }
+        if expected == 0 {
             return Ok(None);
         }
         let masked = self.masked.get(index).ok_or(SolutionFault::NoMasks)?;
