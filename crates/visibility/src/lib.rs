@@ -9,9 +9,9 @@
 //! In order: [`tolerances`], [`blocker_edges`], [`bounding_ball`], [`shadow_volume`], `cloud`,
 //! `convex_bodies`, [`silhouette_mesh`], [`Shadows`] (ways to find them), `obstacle` (of what obstacles are
 //! made), `rays` and `whole` (what rays meet first, what hides as a whole), `within` (what lies in a convex
-//! solid), [`Visibility`], the noun of the
-//! crate; then what a scene says of itself: [`footprints`] (where bodies stand), [`covered_parts`] (flat
-//! surfaces on others) and [`inspection`] (contents, contacts, what looks wrong).
+//! solid), [`Visibility`], the noun of the crate; then what a scene says of itself: [`footprints`] (where
+//! bodies stand), [`covered_parts`] (flat surfaces on others) and [`inspection`] (contents, contacts, what
+//! looks wrong).
 //!
 //! Imports `core`, `geom`, `work`, `fit` and `scene`.
 
