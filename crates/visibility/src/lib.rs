@@ -7,9 +7,9 @@
 //! candidates alone.
 //!
 //! In order: [`tolerances`], [`blocker_edges`], [`bounding_ball`], [`shadow_volume`], `cloud`,
-//! `convex_bodies`, [`silhouette_mesh`], [`Shadows`] (ways to find them), `obstacle` (of what obstacles are
-//! made), `rays` and `whole` (what rays meet first, what hides as a whole), `within` (what lies in a convex
-//! solid), [`Visibility`], the noun of the crate; then what a scene says of itself: [`footprints`] (where
+//! `convex_bodies`, [`silhouette_mesh`], [`Shadows`] (ways to find them), `within` (what lies in a convex
+//! solid), `obstacle` (of what obstacles are made), `rays` and `whole` (what rays meet first, what hides as a
+//! whole), [`Visibility`], the noun of the crate; then what a scene says of itself: [`footprints`] (where
 //! bodies stand), [`covered_parts`] (flat surfaces on others) and [`inspection`] (contents, contacts, what
 //! looks wrong).
 //!
@@ -23,10 +23,10 @@ mod cloud;
 mod convex_bodies;
 pub mod silhouette_mesh;
 mod shadows;
+mod within;
 mod obstacle;
 mod rays;
 mod whole;
-mod within;
 pub mod footprints;
 pub mod covered_parts;
 pub mod inspection;
@@ -47,7 +47,6 @@ use obstacle::{Bend, Obstacle};
 pub use shadows::Shadows;
 use silhouette_mesh::SilhouetteMesh;
 use tolerances::{END, OWN_END};
-use within::lies_within;
 
 /// The surfaces of a scene as obstacles.
 #[derive(Debug)]
@@ -114,16 +113,18 @@ impl Visibility {
 
     /// [`Visibility::candidates`], so many of them at the most.
     pub fn some_candidates(&self, a: &[DVec3], b: &[DVec3], surfaces: [usize; 2], most: usize) -> Vec<usize> {
-        let mut found = self.standing_between(a, b, surfaces);
-        found.retain(|index| !surfaces.iter().all(|surface| self.encloses(*index, *surface)));
-        self.reaching_between(&found, |index| self.own_hull(index), [a, b], most)
+        let found = self.standing_between(a, b, surfaces);
+        // What a surface encloses is looked for once it reaches between the two.
+        let may_hide = |index: &usize| !surfaces.iter().all(|surface| self.encloses(*index, *surface));
+        let reaching = self.reaching_between(&found, |index| self.own_hull(index), [a, b]);
+        reaching.filter(may_hide).take(most).collect()
     }
 
     /// As [`Visibility::candidates`] between a part of `surface`, in the hull `a`, and points that lie on no
     /// surface.
     pub fn candidates_before_points(&self, a: &[DVec3], points: &[DVec3], surface: usize) -> Vec<usize> {
         let found = self.standing_between(a, points, [surface; 2]);
-        self.reaching_between(&found, |index| self.own_hull(index), [a, points], usize::MAX)
+        self.narrow(&found, a, points)
     }
 
     /// The surfaces that reach into the box around two hulls and can stand between others, ascending: without
@@ -148,15 +149,10 @@ impl Visibility {
     /// Whether a surface lies on the boundary of a convex solid within which another one lies: it hides
     /// nothing from there.
     fn encloses(&self, surface: usize, other: usize) -> bool {
-        let Obstacle { solid: Some(solid), ball, enclosed, .. } = &self.obstacles[surface] else {
-            return false;
-        };
-        let tolerance = COINCIDENT * ball.radius();
-        let all = || {
-            let is_within = |index: &usize| lies_within(&*self.obstacles[*index].shape, solid, tolerance);
-            (0..self.obstacles.len()).filter(is_within).collect()
-        };
-        enclosed.get_or_init(all).binary_search(&other).is_ok()
+        let own = &self.obstacles[surface];
+        let all =
+            || (0..self.obstacles.len()).filter(|index| own.encloses(&self.obstacles[*index])).collect();
+        own.solid.is_some() && own.enclosed.get_or_init(all).binary_search(&other).is_ok()
     }
 
     /// `surfaces` sorted by their coordinates, so that the order does not depend on the scene's list.
@@ -195,7 +191,7 @@ impl Visibility {
 
     /// The `blockers` that may stand between the hulls of `a` and `b`.
     pub fn narrow(&self, blockers: &[usize], a: &[DVec3], b: &[DVec3]) -> Vec<usize> {
-        self.reaching_between(blockers, |index| self.own_hull(index), [a, b], usize::MAX)
+        self.reaching_between(blockers, |index| self.own_hull(index), [a, b]).collect()
     }
 
     /// The bounds of a surface alone.
@@ -204,26 +200,24 @@ impl Visibility {
         Hull { ball, points: hull }
     }
 
-    /// The first of the `blockers`, `most` at the most, whose `part` reaches between two hulls.
+    /// The `blockers` whose `part` reaches between two hulls, one after the other; none without
+    /// shadows.
     fn reaching_between<'a>(
         &'a self,
-        blockers: &[usize],
-        part: impl Fn(usize) -> Hull<'a>,
-        [a, b]: [&[DVec3]; 2],
-        most: usize,
-    ) -> Vec<usize> {
-        if self.shadows == Shadows::Off {
-            return Vec::new();
-        }
+        blockers: &'a [usize],
+        part: impl Fn(usize) -> Hull<'a> + 'a,
+        [a, b]: [&'a [DVec3]; 2],
+    ) -> impl Iterator<Item = usize> + 'a {
+        let blockers = if self.shadows == Shadows::Off { &[] } else { blockers };
         let size = breadth(a).min(breadth(b));
         let (around_a, around_b) = (Ball::around(a), Ball::around(b));
-        let reaches = |index: &usize| {
+        let reaches = move |index: &usize| {
             let Hull { ball, points } = part(*index);
             // A plate flush before a surface reaches into the shaft by little, but hides much.
             let tolerance = if self.obstacles[*index].pieces.is_some() { COINCIDENT } else { self.eps };
             !ball.misses_between(&around_a, &around_b) && !separated(a, b, points, tolerance * size)
         };
-        blockers.iter().copied().filter(reaches).take(most).collect()
+        blockers.iter().copied().filter(reaches)
     }
 
     /// Whether a single one of `blockers` hides the hulls of `a` and `b` wholly from each other.
@@ -388,11 +382,7 @@ fn standing(obstacles: &[Obstacle], cloud: &Cloud, boxes: &[Aabb], eps: f64) -> 
         high - low <= touching(size, 0.0).max(eps * size)
             && (cloud.lies_below(-low, &reversed, size) || cloud.lies_below(high, &tangent, size))
     };
-    let encloses_all = |index: &usize| {
-        let Obstacle { solid: Some(solid), ball, .. } = &obstacles[*index] else { return false };
-        let tolerance = COINCIDENT * ball.radius();
-        obstacles.iter().all(|other| lies_within(&*other.shape, solid, tolerance))
-    };
+    let encloses_all = |index: &usize| obstacles.iter().all(|other| obstacles[*index].encloses(other));
     (0..obstacles.len()).filter(|index| !walls_in(index) && !encloses_all(index)).collect()
 }
 

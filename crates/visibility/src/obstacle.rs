@@ -6,6 +6,7 @@ use radiosity_geom::{COINCIDENT, ConvexSolid, DVec3, Jet, Plane, Rect, Surface};
 
 use crate::bounding_ball::Ball;
 use crate::silhouette_mesh::SilhouetteMesh;
+use crate::within::lies_within;
 
 /// Sample points along each parameter of a curved surface, by which it is seen how it bends. All pairs of
 /// them are compared, so that the time grows with their fourth power; a bend between two of them may be
@@ -48,6 +49,12 @@ impl Obstacle {
         let (shape, ball, solid) = (Arc::clone(shape), Ball::around(&hull), shape.solid());
         let (enclosed, mesh) = (OnceLock::new(), OnceLock::new());
         Self { shape, ball, hull, pieces, solid, enclosed, bend, looks, mesh }
+    }
+
+    /// Whether it lies on the boundary of a convex solid within which the other one lies.
+    pub(super) fn encloses(&self, other: &Self) -> bool {
+        let tolerance = COINCIDENT * self.ball.radius();
+        self.solid.is_some_and(|solid| lies_within(&*other.shape, &solid, tolerance))
     }
 
     /// Whether it is one flat convex piece.

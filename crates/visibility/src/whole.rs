@@ -11,7 +11,7 @@ impl Visibility {
     /// The `blockers`, one face per body, that may stand between the hulls of `a` and `b`, bodies as a whole.
     pub fn narrow_bodies(&self, blockers: &[usize], a: &[DVec3], b: &[DVec3]) -> Vec<usize> {
         let whole = |index: usize| Hull { ball: self.ball_of(index), points: self.hull(index) };
-        self.reaching_between(blockers, whole, [a, b], usize::MAX)
+        self.reaching_between(blockers, whole, [a, b]).collect()
     }
 
     /// Bounding box of a surface, or of the convex body it belongs to.

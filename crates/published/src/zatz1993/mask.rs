@@ -16,9 +16,9 @@
 //! truth. The weighted one is exact at its nodes for an even emitter. Both are known at the corners of cells
 //! of the element's coordinates and bilinear in between. The plain one has equal cells, as the paper has
 //! them; the weighted one a quadtree, whose cells are halved where the values at the corners and the middle
-//! of a cell differ, so that the finest follow the edge of the shadow. Nodes where something stands on the element have
-//! no value of their own; they take that of the nearest free node, so that the interpolation does not darken
-//! the rim around the contact.
+//! of a cell differ, so that the finest follow the edge of the shadow. Nodes where something stands on the
+//! element have no value of their own; they take that of the nearest free node, so that the interpolation
+//! does not darken the rim around the contact.
 
 use std::collections::BTreeMap;
 use std::num::NonZeroUsize;

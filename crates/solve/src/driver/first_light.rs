@@ -92,7 +92,7 @@ impl EnteringLight {
         };
         let sources = emission.emitters(elements.list());
         let masked = masks.light(elements, &sources.coatings, Some(&reflected));
-        let bounce = through_masks(lit_scene, &sources, masks, &masked);
+        let bounce = bounce_through_masks(lit_scene, &sources, masks, &masked);
         let bounce = bounce.repainted(&sources.coatings, &sources.coatings);
         let entry = DirectLightEntry::Split(bounce.expect("the coatings are those it was made for"));
         Self { entry, masked: Some(Arc::new(masked)), ..self }
@@ -165,7 +165,9 @@ impl EmissionLight {
         let sources = emission.emitters(elements.list());
         let masked = masks.as_ref().map(|masks| masks.light(elements, &sources.coatings, None));
         let direct = match masks.as_ref().zip(masked.as_ref()) {
-            Some((masks, masked)) => DirectEntry::Split(through_masks(lit_scene, &sources, masks, masked)),
+            Some((masks, masked)) => {
+                DirectEntry::Split(bounce_through_masks(lit_scene, &sources, masks, masked))
+            }
             None if is_split => {
                 let eps = POINT_OVER_BLOCK * options.shadow_eps;
                 DirectEntry::Split(CoatedBounce::new(&sources, visibility, eps, ranks))
@@ -192,7 +194,7 @@ impl EmissionLight {
     }
 }
 
-fn through_masks(
+fn bounce_through_masks(
     lit_scene: &LitScene<'_>,
     sources: &Emitters<'_>,
     masks: &MaskedPairs,
