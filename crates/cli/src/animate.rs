@@ -121,6 +121,8 @@ enum Follow {
     Fresh,
     /// One frame after the other; what has not changed is kept.
     Selective,
+    /// One frame after the other; what has changed is added to the light of the frame before.
+    Incremental,
     /// Solved at some moments of the path, interpolated between them.
     Path,
     /// One frame after the other; blocks of flat things that are translated, with nothing between, are sums
@@ -133,6 +135,7 @@ impl AnimateArgs {
         match self.way {
             Follow::Fresh => FollowMode::Fresh,
             Follow::Selective => FollowMode::Selective,
+            Follow::Incremental => FollowMode::Incremental,
             Follow::Path => FollowMode::Path { tolerance: self.path_eps },
             Follow::Series => FollowMode::Series { tolerance: self.path_eps },
         }

@@ -265,6 +265,11 @@ impl Solution {
         Arc::clone(&self.elements)
     }
 
+    /// Relative residual of the linear systems, largest over the bands.
+    pub(crate) fn residual(&self) -> f64 {
+        self.bands.iter().map(|band| band.coefficients.residual).fold(0.0, f64::max)
+    }
+
     /// The bands, in the scene's order.
     pub fn bands(&self) -> &[Band] {
         &self.bands

@@ -231,6 +231,11 @@ impl<'a> System<'a> {
         Ok(Box::new(self.block_sparse()?.with_threads(threads)))
     }
 
+    /// I − √ρ G √ρ, multiplied by the blocks of G.
+    pub(crate) fn product(&self) -> Box<dyn Operator + '_> {
+        Box::new(Product::new(self))
+    }
+
     /// The ranks that hold the blocks.
     fn ranks(&self) -> &Ranks {
         self.blocks.held().ranks()

@@ -13,7 +13,7 @@ use std::collections::HashMap;
 use std::sync::{Arc, OnceLock};
 
 use radiosity_elements::Elements;
-use radiosity_geom::RayTree;
+use radiosity_geom::{RayTree, Rect};
 use radiosity_kernel::blocks::block::Block;
 use radiosity_scene::Scene;
 use radiosity_visibility::Visibility;
@@ -21,7 +21,8 @@ use radiosity_work::ranks::Ranks;
 use serde::{Deserialize, Serialize};
 
 use crate::known::KnownBlocks;
-use change::{Change, SceneState};
+pub(crate) use change::SceneChange;
+use change::SceneState;
 use kept_rays::{ChangedSurfaces, ElementRays, MOST, RayCounts};
 pub(crate) use kept_rays::{KeptHit, KeptRays};
 
@@ -41,6 +42,8 @@ pub struct KeptBlocks {
     /// Hits of the rays of each sequence.
     sequences: HashMap<usize, KeptSequence>,
     changed: Option<Arc<ChangedSurfaces>>,
+    /// Differences of the last scene from the one before, if there was one of as many surfaces and elements.
+    change: Option<Arc<SceneChange>>,
     ray_counts: RayCounts,
     /// Source of blocks that have changed, if there is one beside the rules.
     known: Option<Arc<dyn KnownBlocks>>,
@@ -59,6 +62,13 @@ struct KeptSequence {
     /// Number of the scene in which they were sent.
     scene: u64,
     elements: Vec<ElementRays>,
+}
+
+/// Differences of the last scene from the one before.
+#[derive(Debug)]
+pub(crate) struct LastChange {
+    pub change: Arc<SceneChange>,
+    pub changed: Arc<ChangedSurfaces>,
 }
 
 /// A block with what it was integrated for.
@@ -117,11 +127,13 @@ impl KeptBlocks {
     /// elements is another, all is forgotten.
     pub fn move_to(&mut self, scene: &Scene, elements: &Arc<Elements>, visibility: &Visibility) {
         let state = SceneState::of(scene, elements, visibility);
-        let change = self.state.as_ref().and_then(|before| state.change(before)).unwrap_or_else(|| {
+        let change = self.state.as_ref().and_then(|before| state.change(before));
+        let is_first = change.is_none();
+        let change = change.unwrap_or_else(|| {
             let [elements, surfaces] = state.counts();
             let last_changes = LastChanges { elements: vec![1; elements], surfaces: vec![1; surfaces] };
             *self = Self { last_changes, known: self.known.take(), ..Self::default() };
-            Change {
+            SceneChange {
                 elements: vec![true; elements],
                 surfaces: vec![true; surfaces],
                 starts: vec![true; surfaces],
@@ -132,11 +144,22 @@ impl KeptBlocks {
         self.scenes += 1;
         mark(&mut self.last_changes.elements, &change.elements, self.scenes);
         mark(&mut self.last_changes.surfaces, &change.surfaces, self.scenes);
-        let tree = RayTree::new(state.marked(&change.surfaces));
-        self.changed =
-            Some(Arc::new(ChangedSurfaces { surfaces: change.surfaces, tree, reach: visibility.reach() }));
+        let marked = state.marked(&change.surfaces);
+        self.changed = Some(Arc::new(ChangedSurfaces {
+            surfaces: change.surfaces.clone(),
+            boxes: marked.iter().map(|surface| surface.bounds(&Rect::FULL)).collect(),
+            tree: RayTree::new(marked),
+            reach: visibility.reach(),
+        }));
+        self.change = (!is_first).then(|| Arc::new(change));
         self.ray_counts = RayCounts::default();
         self.state = Some(state);
+    }
+
+    /// Differences of the last scene from the one before; None where that had other numbers of surfaces or
+    /// elements, or there was none.
+    pub(crate) fn last_change(&self) -> Option<LastChange> {
+        Some(LastChange { change: self.change.clone()?, changed: self.changed.clone()? })
     }
 
     /// The elements of the last scene.
@@ -144,15 +167,18 @@ impl KeptBlocks {
         self.state.as_ref().map(|state| state.elements.as_ref())
     }
 
+    /// The elements of the last scene, shared.
+    pub(crate) fn shared_elements(&self) -> Option<Arc<Elements>> {
+        self.state.as_ref().map(|state| Arc::clone(&state.elements))
+    }
+
     /// Forgets the rays that were not sent in the last scene, and those of elements that have changed since
     /// then.
-    fn forget_rays(&mut self, state: &SceneState, change: &Change) {
+    fn forget_rays(&mut self, state: &SceneState, change: &SceneChange) {
         self.sequences.retain(|_, sequence| sequence.scene == self.scenes);
         for sequence in self.sequences.values_mut() {
-            for ((rays, is_other), owner) in
-                sequence.elements.iter_mut().zip(&change.elements).zip(state.owners())
-            {
-                if *is_other || change.surfaces[owner] || change.starts[owner] {
+            for ((element, rays), owner) in sequence.elements.iter_mut().enumerate().zip(state.owners()) {
+                if change.is_moved(element, owner) {
                     *rays = ElementRays::default();
                 }
             }
@@ -177,10 +203,15 @@ impl KeptBlocks {
     /// Keeps what the rays of a sequence met in this scene; all ranks together, each those that it sent.
     pub(crate) fn put_rays(&mut self, sequence: usize, rays: KeptRays, ranks: &Ranks) {
         let (elements, counts) = rays.into_rays();
-        let sums = ranks.sums(vec![counts.traced, counts.recalled]);
+        self.count_rays(counts, ranks);
+        self.sequences.insert(sequence, KeptSequence { scene: self.scenes, elements });
+    }
+
+    /// Adds rays of this scene, those of each rank.
+    pub(crate) fn count_rays(&mut self, RayCounts { traced, recalled }: RayCounts, ranks: &Ranks) {
+        let sums = ranks.sums(vec![traced, recalled]);
         self.ray_counts.traced += sums[0];
         self.ray_counts.recalled += sums[1];
-        self.sequences.insert(sequence, KeptSequence { scene: self.scenes, elements });
     }
 
     /// The block that answers a request, where nothing has changed since it was integrated.

@@ -32,6 +32,6 @@ pub use carrier::Carrier;
 pub use kept_blocks::KeptBlocks;
 pub use kept_blocks::kept_rays::RayCounts;
 pub use known::{Known, KnownBlocks};
-pub use sampled::{Rays, SampledTransport};
+pub use sampled::{Rays, SampledTransport, StandingRays};
 pub use schedule::{BlockWork, ColumnsAsShot, Cost, Demand, FactorEnds, shared, work};
 pub use unreached::FINEST as FINEST_BY_RAYS;

@@ -29,6 +29,7 @@ mod exact_pairs;
 mod rays;
 mod closure;
 mod estimate;
+pub(crate) mod standing;
 
 use std::collections::HashSet;
 
@@ -52,6 +53,8 @@ use exact_pairs::ExactPairs;
 use hit::{Hit, hit};
 pub use rays::Rays;
 use sender::{Departure, Sender};
+pub use standing::StandingRays;
+use standing::{ElementRays, StandingRay, State};
 use tally::{Sums, Tally, functions};
 
 /// Relative error of exact pairs, as far as it matters here. Chosen: the default accuracy of their blocks.
@@ -71,6 +74,8 @@ pub struct SampledTransport<'a> {
     senders: Vec<Sender>,
     /// Rays sent by each element, those of the pilot round included.
     sent: Vec<u64>,
+    /// Rays of each element in the pilot round.
+    pilot: Vec<u64>,
     starts: Vec<usize>,
     counts: Counts,
     /// The ranks that send the rays.
@@ -83,6 +88,8 @@ pub struct SampledTransport<'a> {
     only: Option<HashSet<(u32, u32)>>,
     /// Hits of these rays in the scene before, if those were kept.
     kept: Option<KeptRays>,
+    /// The rays that count, where they stand from scene to scene.
+    rays: Option<Vec<ElementRays>>,
 }
 
 /// Rays of one element, one after the other.
@@ -161,6 +168,7 @@ impl<'a> SampledTransport<'a> {
             visibility,
             senders: senders.collect(),
             sent: vec![0; list.len()],
+            pilot: vec![0; list.len()],
             ranks,
             held: HeldRows::of(ranks, &starts),
             starts,
@@ -169,6 +177,7 @@ impl<'a> SampledTransport<'a> {
             exact_pairs: ExactPairs::default(),
             only: None,
             kept: None,
+            rays: None,
         }
     }
 
@@ -193,6 +202,70 @@ impl<'a> SampledTransport<'a> {
         let numbers = || (0..elements.list().len() as u64).collect();
         let kept = kept.and_then(|kept| kept.take_rays(0, 1, numbers(), ranks));
         Self::new(elements, visibility, ranks).with_kept(kept)
+    }
+
+    /// The transport by the rays of the scene before, where that can be; `kept` was moved to this scene.
+    pub fn standing(
+        elements: &'a Elements,
+        visibility: &'a Visibility,
+        accuracy: Accuracy,
+        standing: &mut StandingRays,
+        kept: &mut KeptBlocks,
+        work: &Work<'a>,
+    ) -> Option<Self> {
+        let (state, exact_pairs) = standing.moved(elements, visibility, accuracy, kept, work)?;
+        let State { senders, pilot, sent, rays, counts, tally, .. } = state;
+        let starts = elements.starts();
+        let held = HeldRows::of(work.ranks, &starts);
+        Some(Self {
+            elements,
+            visibility,
+            senders,
+            sent,
+            pilot,
+            starts,
+            counts,
+            ranks: work.ranks,
+            held,
+            tally,
+            exact_pairs,
+            only: None,
+            kept: None,
+            rays: Some(rays),
+        })
+    }
+
+    /// Leaves its rays to the next scene, and to `kept` what they met where that cannot be.
+    pub fn keep_standing(mut self, standing: &mut StandingRays, kept: &mut KeptBlocks) {
+        let rays = self.rays.take().or_else(|| self.standing_rays());
+        let Some((rays, elements)) = rays.zip(kept.shared_elements()) else {
+            return self.keep_rays(Some(kept));
+        };
+        if let Some(rays) = self.kept.take() {
+            kept.count_rays(rays.counts(), self.ranks);
+        }
+        let Self { senders, pilot, sent, counts, tally, exact_pairs, .. } = self;
+        let exact = exact_pairs.into_pairs();
+        standing.keep(State { elements, senders, pilot, sent, rays, counts, tally, exact });
+    }
+
+    /// The rays that count, of the elements from which this rank sends; None where what they met is not
+    /// known.
+    fn standing_rays(&self) -> Option<Vec<ElementRays>> {
+        let kept = self.kept.as_ref()?;
+        let own = |element: usize| element % self.ranks.count() == self.ranks.number();
+        let rays = (0..self.senders.len()).into_par_iter().map(|element| {
+            if !own(element) {
+                return Some(ElementRays::default());
+            }
+            let hits = kept.hits(element);
+            let [first, end] = [self.pilot[element], self.sent[element]];
+            let ray =
+                |index: u64| StandingRay::new(&self.senders[element].departure(index), hits[index as usize]);
+            (hits.len() as u64 == end).then(|| (first..end).map(ray).collect())
+        });
+        let rays: Option<_> = rays.collect();
+        if self.ranks.any(rays.is_none()) { None } else { rays }
     }
 
     /// Leaves to `kept` what its rays met.
@@ -284,6 +357,7 @@ impl<'a> SampledTransport<'a> {
         let pairs = ExactPairs::worth(self.elements, self.visibility, &self.tally, &self.held, &expected);
         self.exact_pairs = ExactPairs::new(pairs, self.elements, self.visibility, accuracy, kept, work);
         self.tally.settle(list, &expected);
+        self.pilot.clone_from(&self.sent);
         self.counts = Counts::new(list.len(), self.elements.coefficients());
     }
 

@@ -19,7 +19,7 @@ fn cost(follower: &Follower<'_>, frames: usize, seconds: f64) -> String {
         None => format!("light solved {moments} times"),
     };
     if let Some(error) = follower.error() {
-        let what = if follower.segments().is_some() { "interpolated" } else { "by series" };
+        let what = if follower.segments().is_some() { "interpolated" } else { "known" };
         line += &format!(", {what} to {error:.1e}");
     }
     if follower.has_set_up() {

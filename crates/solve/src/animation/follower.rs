@@ -18,6 +18,9 @@ pub enum FollowMode {
     Fresh,
     /// Blocks and rays that have not changed since the frame before are kept ([`super::sequence`]).
     Selective,
+    /// As [`FollowMode::Selective`]; only the difference from the frame before is solved for, and rays stand
+    /// ([`Sequence::incremental`]).
+    Incremental,
     /// Light is interpolated along the path, by Chebyshev polynomials of time.
     Path {
         /// Relative error that interpolation may have.
@@ -54,6 +57,7 @@ impl<'a> Follower<'a> {
         let source = match mode {
             FollowMode::Fresh => FrameSource::Frames(Sequence::fresh(scene, options)),
             FollowMode::Selective => FrameSource::Frames(Sequence::new(scene, options)),
+            FollowMode::Incremental => FrameSource::Frames(Sequence::incremental(scene, options)),
             FollowMode::Series { tolerance } => {
                 FrameSource::Frames(Sequence::by_series(scene, options, tolerance))
             }

@@ -3,7 +3,7 @@
 use radiosity_scene::Scene;
 use radiosity_visibility::Visibility;
 
-use crate::driver::Outcome;
+use crate::driver::FrameLight;
 use crate::solution::Solution;
 
 /// The light of a frame.
@@ -24,8 +24,8 @@ pub struct Frame {
 
 impl Frame {
     /// The frame of a scene that was solved itself.
-    pub(super) fn of(scene: Scene, visibility: Visibility, outcome: Outcome) -> Self {
-        let rays = outcome.noise();
-        Self { scene, visibility, solution: outcome.solution, interpolated: None, rays }
+    pub(super) fn of(scene: Scene, visibility: Visibility, light: FrameLight) -> Self {
+        let rays = light.noise();
+        Self { scene, visibility, solution: light.solution, interpolated: None, rays }
     }
 }

@@ -17,12 +17,24 @@ use radiosity_scene::{FrameScenes, Scene};
 use radiosity_transport::{KeptBlocks, RayCounts};
 use radiosity_work::Work;
 
-use crate::driver::{Failure, Layout, Model, Options};
+use crate::driver::{Failure, FrameLight, KeptModel, Layout, Model, Options, Standing, Unknowns};
 
 use super::error::AnimationError;
 use super::frame::Frame;
 use super::sequence_report::SequenceReport;
 use crate::solution::{Band, Solution};
+use crate::system::Coefficients;
+
+/// Relative residual to which the difference of light is solved for, over the accuracy of the blocks.
+/// Chosen: the residuals of a hundred frames do not add up, since each is that of the whole system.
+const OF_BLOCK: f64 = 1e-2;
+
+/// As much where rays carry the pairs, whose noise is some hundred times as large.
+const OF_NOISY_BLOCK: f64 = 0.1;
+
+/// Frames after which a frame that follows from the one before is solved whole as well, to measure how far it
+/// is off.
+const MEASURED_EACH: usize = 16;
 
 /// The frames of a scene that moves.
 #[derive(Debug)]
@@ -44,29 +56,40 @@ pub struct Sequence<'a> {
 #[derive(Debug, Default)]
 struct Kept {
     /// None where nothing is.
-    blocks: Option<KeptBlocks>,
+    model: Option<KeptModel>,
     /// Series of what is translated, where blocks may be sums of them.
     expansions: Option<Arc<Expansions>>,
+    /// Unknowns of the frame before, where only the difference is solved for.
+    unknowns: Option<Unknowns>,
 }
 
 impl Kept {
     /// Blocks and rays, but nothing yet.
     fn blocks_and_rays() -> Self {
-        Self { blocks: Some(KeptBlocks::default()), expansions: None }
+        Self { model: Some(KeptModel::default()), ..Self::default() }
+    }
+
+    /// Blocks, rays that stand, and light, but nothing yet.
+    fn light_too() -> Self {
+        let model = KeptModel { standing: Some(Standing::default()), ..KeptModel::default() };
+        Self { model: Some(model), unknowns: Some(Unknowns::new()), expansions: None }
     }
 
     /// Blocks, rays and series that are kept.
     fn with_series(expansions: Expansions) -> Self {
         let expansions = Arc::new(expansions);
-        Self { blocks: Some(KeptBlocks::beside(known(&expansions))), expansions: Some(expansions) }
+        let blocks = KeptBlocks::beside(known(&expansions));
+        let model = Some(KeptModel { blocks, standing: None });
+        Self { model, expansions: Some(expansions), unknowns: None }
     }
 
     /// Parts of the same kinds, as before any frame.
     fn anew(&self) -> Self {
-        match (&self.blocks, &self.expansions) {
-            (None, _) => Self::default(),
-            (Some(_), None) => Self::blocks_and_rays(),
-            (Some(_), Some(expansions)) => Self::with_series(expansions.anew()),
+        match self {
+            Self { model: None, .. } => Self::default(),
+            Self { expansions: Some(expansions), .. } => Self::with_series(expansions.anew()),
+            Self { unknowns: Some(_), .. } => Self::light_too(),
+            _ => Self::blocks_and_rays(),
         }
     }
 }
@@ -89,6 +112,15 @@ impl<'a> Sequence<'a> {
             spent: 0.0,
             error: None,
         }
+    }
+
+    /// The frames of `scene`, each found from the one before: the difference of the light is solved for, to a
+    /// [part](OF_BLOCK) of the accuracy of blocks, and rays stand where nothing has come into their way.
+    pub fn incremental(scene: &'a Scene, options: &Options) -> Self {
+        let fresh = Self::fresh(scene, options);
+        let part = if fresh.layout.is_by_rays() { OF_NOISY_BLOCK } else { OF_BLOCK };
+        let options = Options { tolerance: options.tolerance.max(part * options.eps), ..*options };
+        Self { kept: Kept::light_too(), options, ..fresh }
     }
 
     /// As [`Sequence::new`], but blocks between flat elements that are translated, with nothing between them,
@@ -128,21 +160,32 @@ impl<'a> Sequence<'a> {
         let mut kept = mem::replace(&mut self.kept, anew);
         kept.expansions.iter().for_each(|expansions| expansions.begin());
         let failed = |failure: Failure| AnimationError::of(moment, failure);
-        let blocks = kept.blocks.as_mut();
-        let model =
-            Model::assemble_again(&still, &self.options, &self.layout, blocks, work).map_err(failed)?;
-        let outcome = model.solve(&still, work).map_err(failed)?;
+        let Kept { model: before, unknowns, .. } = &mut kept;
+        let model = Model::assemble_again(&still, &self.options, &self.layout, before.as_mut(), work);
+        let model = model.map_err(failed)?;
+        let light = model.frame_light(unknowns.as_mut(), work).map_err(failed)?;
         self.kept = kept;
         let counts = self.kept.expansions.as_ref().map(|expansions| expansions.counts(work.ranks));
         self.counts = counts.unwrap_or_default();
-        let traced =
-            || RayCounts { traced: outcome.sampling.map_or(0, |sampling| sampling.rays), recalled: 0 };
-        let rays = self.kept.blocks.as_ref().map_or_else(traced, KeptBlocks::ray_counts);
+        let traced = || RayCounts { traced: light.sampling.map_or(0, |sampling| sampling.rays), recalled: 0 };
+        let rays = self.kept.model.as_ref().map_or_else(traced, |kept| kept.blocks.ray_counts());
         self.spent += self.share(&rays);
-        self.error = series_error(&model.blocks().statistics.remainders, &outcome.solution);
-        self.report.take(&still, &outcome, rays);
-        let frame = Frame::of(still, model.into_visibility(), outcome);
+        self.error = series_error(&model.blocks().statistics.remainders, &light.solution);
+        if self.kept.unknowns.is_some() {
+            let measured = self.measured(&model, &light, work).map_err(failed)?;
+            self.error = Some(unsolved(&light.solution).max(measured));
+        }
+        self.report.take(&still, &light, rays);
+        let frame = Frame::of(still, model.into_visibility(), light);
         Ok(Frame { interpolated: self.error, ..frame })
+    }
+
+    /// Difference of the light of a frame from that of its whole solution, every so often; else 0.
+    fn measured(&self, model: &Model, light: &FrameLight, work: &Work<'_>) -> Result<f64, Failure> {
+        if !(self.report.moments + 1).is_multiple_of(MEASURED_EACH) {
+            return Ok(0.0);
+        }
+        Ok(difference(&light.solution, &model.frame_light(None, work)?.solution))
     }
 
     /// Cost and error of all moments so far.
@@ -157,7 +200,7 @@ impl<'a> Sequence<'a> {
     }
 
     /// Bound of the relative difference between the light of the last frame and that of the frame alone, L2
-    /// of its coefficients, that series make; None where there were none.
+    /// of its coefficients, that series make, or what is left unsolved; None where there were none.
     pub fn error(&self) -> Option<f64> {
         self.error
     }
@@ -175,7 +218,7 @@ impl<'a> Sequence<'a> {
 
     /// Blocks that were integrated for the last frame.
     pub fn integrated(&self) -> usize {
-        self.kept.blocks.as_ref().map_or(0, KeptBlocks::integrated) - self.summed()
+        self.kept.model.as_ref().map_or(0, |kept| kept.blocks.integrated()) - self.summed()
     }
 
     /// Blocks of the last frame that are sums of series.
@@ -190,8 +233,39 @@ impl<'a> Sequence<'a> {
 
     /// Blocks that the last frame has in common with the one before.
     pub fn recalled(&self) -> usize {
-        self.kept.blocks.as_ref().map_or(0, KeptBlocks::recalled)
+        self.kept.model.as_ref().map_or(0, |kept| kept.blocks.recalled())
     }
+}
+
+/// Bound of ‖δh‖/‖h‖ by the residual r of the radiosity, the largest of any band:
+///
+/// ```text
+/// δb = (I − S G)⁻¹ r ,     ‖δh‖ ≤ ‖r‖/(1 − max (ρ + τ))
+/// ```
+fn unsolved(solution: &Solution) -> f64 {
+    let (list, starts) = (solution.elements().list(), solution.elements().starts());
+    let ones = solution.elements().constant();
+    let of_band = |band: &Band| {
+        let Coefficients { irradiance, direct, residual, .. } = &band.coefficients;
+        let emitted = norm(&band.coating.emitted(&starts, &ones));
+        let scale = emitted + norm(&band.coating.reflected(&starts, direct));
+        let (rest, light) = (residual * scale, norm(irradiance));
+        let most = (0..list.len()).map(|element| band.coating.most(element)).fold(0.0, f64::max);
+        if rest == 0.0 { 0.0 } else { rest / ((1.0 - most) * light) }
+    };
+    solution.bands().iter().map(of_band).fold(0.0, f64::max)
+}
+
+/// ‖h − h′‖/‖h′‖ of two solutions of a scene, the largest of any band.
+fn difference(solution: &Solution, other: &Solution) -> f64 {
+    let pairs = solution.bands().iter().zip(other.bands());
+    let of_band = |(own, other): (&Band, &Band)| {
+        let [own, other] = [own, other].map(|band| &band.coefficients.irradiance);
+        let apart: Vec<f64> = own.iter().zip(other).map(|(a, b)| a - b).collect();
+        let [apart, light] = [&apart, other].map(|list| norm(list));
+        if apart == 0.0 { 0.0 } else { apart / light }
+    };
+    pairs.map(of_band).fold(0.0, f64::max)
 }
 
 /// Bound of ‖δh‖/‖h‖ by errors δG of blocks, the largest of any band; None where no block is a sum of a series.

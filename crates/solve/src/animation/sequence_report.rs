@@ -4,7 +4,7 @@ use radiosity_kernel::WorstError;
 use radiosity_scene::Scene;
 use radiosity_transport::RayCounts;
 
-use crate::driver::Outcome;
+use crate::driver::FrameLight;
 
 /// Cost and error of the moments that were solved, all together.
 #[derive(Clone, Debug, Default)]
@@ -43,22 +43,22 @@ pub struct WorstTransfer {
 
 impl SequenceReport {
     /// Adds the solution of the scene of a moment, for which these rays were sent.
-    pub(super) fn take(&mut self, scene: &Scene, outcome: &Outcome, rays: RayCounts) {
+    pub(super) fn take(&mut self, scene: &Scene, light: &FrameLight, rays: RayCounts) {
         self.moments += 1;
         self.rays.traced += rays.traced;
         self.rays.recalled += rays.recalled;
-        if !outcome.converged {
+        if !light.converged {
             self.unconverged.moments += 1;
-            self.unconverged.residual = self.unconverged.residual.max(outcome.residual);
+            self.unconverged.residual = self.unconverged.residual.max(light.residual);
         }
-        self.noise = self.noise.max(outcome.noise());
+        self.noise = self.noise.max(light.noise());
         // What exact pairs miss beside rays is a part of their error.
-        let miss = outcome.worst_error.filter(|miss| miss.is_real() && outcome.sampling.is_none());
+        let miss = light.worst_error.filter(|miss| miss.is_real() && light.sampling.is_none());
         if let Some(miss) = miss {
             self.missing += 1;
             let excess = |error: &WorstError| error.error / error.asked;
             if self.worst.as_ref().is_none_or(|worst| excess(&miss) > excess(&worst.error)) {
-                let list = outcome.solution.elements().list();
+                let list = light.solution.elements().list();
                 let name = |element: usize| scene.surfaces[list[element].surface].name.clone();
                 self.worst = Some(WorstTransfer { error: miss, surfaces: miss.pair.map(name) });
             }

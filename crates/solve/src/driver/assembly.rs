@@ -4,17 +4,19 @@ use radiosity_kernel::Blocks;
 use radiosity_published::{collocation, zatz1993::transfers};
 use radiosity_scene::Scene;
 use radiosity_transport as transport;
-use radiosity_transport::{Demand, KeptBlocks};
+use radiosity_transport::Demand;
 
+use super::kept_model::KeptModel;
 use super::light_method::LightMethod;
-use super::sampling::{Sampling, Subject};
+use super::sampling::Sampling;
+use super::subject::Subject;
 
 /// The blocks, by that many rays or exactly; from `kept`, as far as it holds them.
 pub(super) fn carried(
     scene: &Scene,
     subject: &Subject,
     rays: Option<u64>,
-    kept: Option<&mut KeptBlocks>,
+    kept: Option<&mut KeptModel>,
 ) -> (Blocks, Option<Sampling>) {
     if let Some(rays) = rays {
         let (blocks, sampling) = subject.sample(rays, kept);
@@ -23,7 +25,7 @@ pub(super) fn carried(
     (blocks(scene, subject, kept), None)
 }
 
-fn blocks(scene: &Scene, subject: &Subject, kept: Option<&mut KeptBlocks>) -> Blocks {
+fn blocks(scene: &Scene, subject: &Subject, kept: Option<&mut KeptModel>) -> Blocks {
     let Subject { elements, visibility, options, work, .. } = *subject;
     let all = Demand::all(elements, visibility, options.accuracy());
     if let Some(rules) = options.kernel {
@@ -34,6 +36,8 @@ fn blocks(scene: &Scene, subject: &Subject, kept: Option<&mut KeptBlocks>) -> Bl
     let demand = all.of(&wanted);
     match options.method {
         LightMethod::Collocation => collocation::assemble(demand, work),
-        LightMethod::Galerkin | LightMethod::Hierarchical => transport::assemble(demand, kept, work),
+        LightMethod::Galerkin | LightMethod::Hierarchical => {
+            transport::assemble(demand, kept.map(|kept| &mut kept.blocks), work)
+        }
     }
 }

@@ -37,6 +37,8 @@ pub(super) struct SolvedLight {
     /// Coefficients of the light with one reflection less, where the number of reflections is limited to more
     /// than none.
     pub before: Option<Vec<Vec<Coefficients>>>,
+    /// Unknowns of the systems, band by band, of each emission; empty where none were solved.
+    pub unknowns: Vec<Vec<Vec<f64>>>,
     pub costs: Vec<SolveCost>,
     pub functionals: Vec<Functional>,
     /// Shots, where light was shot.
@@ -45,13 +47,15 @@ pub(super) struct SolvedLight {
 
 impl SolvedLight {
     /// The light that was shot, with its coefficients.
-    pub(super) fn shot(light: Vec<Vec<Coefficients>>, ShotLight { costs, shots, .. }: ShotLight) -> Self {
-        Self { light, before: None, costs, functionals: Vec::new(), shots: Some(shots) }
+    pub(super) fn shot(light: Vec<Vec<Coefficients>>, shot: ShotLight) -> Self {
+        let unknowns = shot.by_band();
+        let ShotLight { costs, shots, .. } = shot;
+        Self { light, before: None, unknowns, costs, functionals: Vec::new(), shots: Some(shots) }
     }
 }
 
 impl BandSystems<'_> {
-    /// All light of each emission.
+    /// All light of each emission, found from the unknowns of a similar scene where some are given.
     ///
     /// # Errors
     /// A linear solver that fails or does not converge.
@@ -59,19 +63,21 @@ impl BandSystems<'_> {
         &self,
         emissions: &[Emission],
         first: &[EnteringLight],
+        before: &[Vec<Vec<f64>>],
         work: &Work<'_>,
     ) -> Result<SolvedLight, Failure> {
         let mut light: Vec<Vec<Coefficients>> = emissions.iter().map(|_| Vec::new()).collect();
-        let (mut costs, mut functionals) = (Vec::new(), Vec::new());
+        let (mut costs, mut functionals, mut unknowns) = (Vec::new(), Vec::new(), Vec::new());
         for (band, name) in self.names.iter().enumerate() {
             let systems = self.systems(band, emissions, first);
             let mut observe = |step: &Step<'_>| {
                 let Step { iteration, residual, .. } = *step;
                 work.report(Progress::Iteration { band, of: self.names.len(), iteration, residual });
             };
-            let (solved, cost) = solve_band(&systems, self.options, work, &mut observe)
+            let before = before.get(band).map(Vec::as_slice);
+            let solved = solve_band(&systems, self.options, before, work, &mut observe)
                 .map_err(|source| Failure::Solver { band: name.clone(), source })?;
-            for ((light, emission), found) in light.iter_mut().zip(emissions).zip(solved) {
+            for ((light, emission), found) in light.iter_mut().zip(emissions).zip(solved.found) {
                 let RitzSolution { coefficients, functional } = found;
                 light.push(coefficients);
                 // Where the system is not symmetric, the solution is no minimum.
@@ -80,9 +86,10 @@ impl BandSystems<'_> {
                 let own = Functional { band, group, value: functional };
                 functionals.extend(is_symmetric.then_some(own));
             }
-            costs.extend(cost);
+            costs.extend(solved.cost);
+            unknowns.push(solved.unknowns);
         }
-        Ok(SolvedLight { light, before: None, costs, functionals, shots: None })
+        Ok(SolvedLight { light, before: None, unknowns, costs, functionals, shots: None })
     }
 
     /// The light of each emission that was reflected so many times at the most.
@@ -103,7 +110,7 @@ impl BandSystems<'_> {
         }
         let solver = Method::RICHARDSON.name;
         let costs = vec![SolveCost { solver, iterations: bounces, converged: true }];
-        SolvedLight { light, before, costs, functionals: Vec::new(), shots: None }
+        SolvedLight { light, before, unknowns: Vec::new(), costs, functionals: Vec::new(), shots: None }
     }
 
     /// The systems of a band, one for each emission.

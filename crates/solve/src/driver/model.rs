@@ -6,6 +6,7 @@
 //! choices depend on the materials of the scene from which a model was assembled: which pairs are left
 //! out because neither side ever sends light, and where rays were sent from.
 
+use std::mem;
 use std::sync::Arc;
 use std::time::Duration;
 
@@ -17,7 +18,7 @@ use radiosity_kernel::block_columns::ByColumn;
 use radiosity_published::bases::Subspace;
 use radiosity_scene::Scene;
 use radiosity_solvers::method::Access;
-use radiosity_transport::{ColumnsAsShot, KeptBlocks};
+use radiosity_transport::ColumnsAsShot;
 use radiosity_visibility::Visibility;
 use radiosity_work::ranks::Ranks;
 use radiosity_work::{Progress, Stage, Work};
@@ -34,12 +35,14 @@ use super::decisions::{AssemblyPlan, Layout};
 use super::emission::Emission;
 use super::failure::Failure;
 use super::first_light::EnteringLight;
+use super::kept_model::KeptModel;
 use super::options::Options;
-use super::outcome::{Outcome, Stages, timed};
+use super::outcome::{FrameLight, Outcome, Stages, timed};
 use super::ready::{Ready, require_diffuse};
-use super::sampling::{Sampling, Subject};
+use super::sampling::Sampling;
 use super::shooting::ColumnSource;
 use super::shots::ShotLimit;
+use super::subject::Subject;
 use super::transport_choice::TransportChoice;
 
 /// Most solutions for light that emitters reflect through masks. Each changes the radiosity by less than the
@@ -75,6 +78,9 @@ pub struct Model {
     sampling: Option<Sampling>,
 }
 
+/// The unknowns of the systems of a scene, band by band, of each emission.
+pub(crate) type Unknowns = Vec<Vec<Vec<f64>>>;
+
 /// The emissions of a scene with their first light.
 struct Entered {
     emissions: Vec<Emission>,
@@ -101,7 +107,7 @@ impl Model {
         scene: &Scene,
         options: &Options,
         layout: &Layout,
-        kept: Option<&mut KeptBlocks>,
+        kept: Option<&mut KeptModel>,
         work: &Work<'_>,
     ) -> Result<Self, Failure> {
         options.in_threads(work.ranks, || Self::assembled(scene, options, layout.plan(), kept, work))?
@@ -136,7 +142,7 @@ impl Model {
         scene: &Scene,
         options: &Options,
         plan: AssemblyPlan<'_>,
-        kept: Option<&mut KeptBlocks>,
+        kept: Option<&mut KeptModel>,
         work: &Work<'_>,
     ) -> Result<Self, Failure> {
         let ready = Ready::of(scene, options, plan, kept.as_deref(), work)?;
@@ -144,14 +150,14 @@ impl Model {
     }
 
     /// The model of a scene that is ready, with all its blocks.
-    fn carried(mut ready: Ready, mut kept: Option<&mut KeptBlocks>, work: &Work<'_>) -> Self {
+    fn carried(mut ready: Ready, mut kept: Option<&mut KeptModel>, work: &Work<'_>) -> Self {
         let Ready { scene, options, elements, visibility, rays, first, .. } = &ready;
         let bands = &Emission::by_band(first.emissions());
         let entries = first.reflected(first.emissions()).expect("the emission is the same");
         let entries = &entries.into_iter().map(|own| own.entry).collect::<Vec<_>>();
         let subject = Subject { elements, bands, entries, visibility, options, work };
         if let Some(kept) = &mut kept {
-            kept.move_to(scene, elements, visibility);
+            kept.blocks.move_to(scene, elements, visibility);
         }
         let mut took = Duration::ZERO;
         let (blocks, sampling) = timed(&mut took, || carried(scene, &subject, *rays, kept));
@@ -184,7 +190,7 @@ impl Model {
         let columns = ColumnsAsShot::new(ready.demand(&wanted));
         let source = ColumnSource { columns: &columns, before: columns.seconds(), all_first: None };
         let shooter = ready.shooter(&ready.scene, &emissions, &first);
-        let shot = timed(&mut took, || shooter.shot(source, work))?;
+        let shot = timed(&mut took, || shooter.shot(source, &[], work))?;
         let integrated = columns.seconds();
         let before = source.before;
         let blocks = columns.into_blocks();
@@ -268,7 +274,7 @@ impl Model {
         let mut again = Duration::ZERO;
         let first = timed(&mut again, || self.ready.first_light(scene, &emissions, work.ranks));
         seconds.direct += again;
-        let light = timed(&mut seconds.solve, || self.light(scene, &emissions, &first, work))?;
+        let light = timed(&mut seconds.solve, || self.light(scene, &emissions, &first, &[], work))?;
         let entered = Entered { emissions, first };
         let (entered, light) = timed(&mut again, || self.through_masks(scene, entered, light, work))?;
         seconds.direct += again;
@@ -276,19 +282,56 @@ impl Model {
         Ok(self.outcome(scene, entered, light, seconds, work.ranks))
     }
 
-    /// The light of `emissions` that entered as `first`.
+    /// The light of a frame, the scene from which the model was assembled, found from the `unknowns` of the
+    /// frame before and leaving its own there; from none if there are none.
+    ///
+    /// # Errors
+    /// As [`Model::solve`].
+    pub(crate) fn frame_light(
+        &self,
+        unknowns: Option<&mut Unknowns>,
+        work: &Work<'_>,
+    ) -> Result<FrameLight, Failure> {
+        let options = &self.ready.options;
+        options.in_threads(work.ranks, || self.found_from(unknowns, work))?
+    }
+
+    fn found_from(&self, unknowns: Option<&mut Unknowns>, work: &Work<'_>) -> Result<FrameLight, Failure> {
+        let scene = &self.ready.scene;
+        let emissions = Emission::all(scene, self.ready.elements.list());
+        let first = self.ready.first_light(scene, &emissions, work.ranks);
+        let before = unknowns.as_deref().map_or(&[][..], |own| own);
+        let light = self.light(scene, &emissions, &first, before, work)?;
+        let (entered, mut light) = self.through_masks(scene, Entered { emissions, first }, light, work)?;
+        if let Some(unknowns) = unknowns {
+            *unknowns = mem::take(&mut light.unknowns);
+        }
+        let converged = light.costs.iter().all(|cost| cost.converged);
+        let solution = self.solution_of(scene, entered, light.light, light.before);
+        Ok(FrameLight {
+            residual: solution.residual(),
+            solution,
+            converged,
+            worst_error: self.blocks.statistics.worst_error,
+            sampling: self.sampling,
+        })
+    }
+
+    /// The light of `emissions` that entered as `first`, found from the unknowns of a similar scene where
+    /// some are given.
     fn light(
         &self,
         scene: &Scene,
         emissions: &[Emission],
         first: &[EnteringLight],
+        before: &[Vec<Vec<f64>>],
         work: &Work<'_>,
     ) -> Result<SolvedLight, Failure> {
         let (bands, options) = (self.bands(scene), &self.ready.options);
         let shoots = options.solver.access == Access::Columns && self.ready.subspace.is_none();
         match options.bounces {
-            None if shoots => self.shot_from_all(scene, emissions, first, work),
-            None => bands.solved(emissions, first, work),
+            None if shoots => self.shot_from_all(scene, emissions, first, before, work),
+            None => bands.solved(emissions, first, before, work),
             Some(bounces) => Ok(bands.bounced(emissions, first, bounces)),
         }
     }
@@ -317,7 +360,7 @@ impl Model {
                 first.again(&lit_scene, emission, own)
             };
             let first: Vec<EnteringLight> = lit.map(again).collect();
-            let next = self.light(scene, &entered.emissions, &first, work)?;
+            let next = self.light(scene, &entered.emissions, &first, &[], work)?;
             let change = change(&light.light, &next.light);
             entered.first = first;
             light = next;
@@ -334,6 +377,7 @@ impl Model {
         scene: &Scene,
         emissions: &[Emission],
         first: &[EnteringLight],
+        before: &[Vec<Vec<f64>>],
         work: &Work<'_>,
     ) -> Result<SolvedLight, Failure> {
         let all = self.blocks.gathered();
@@ -342,7 +386,7 @@ impl Model {
         let source =
             ColumnSource { columns: &columns, before: self.ready.seconds.blocks, all_first: Some(why) };
         let shooter = self.ready.shooter(scene, emissions, first);
-        let shot = shooter.shot(source, work)?;
+        let shot = shooter.shot(source, before, work)?;
         Ok(SolvedLight::shot(shooter.light(&shot, &self.blocks), shot))
     }
 
@@ -350,26 +394,18 @@ impl Model {
     fn outcome(
         &self,
         scene: &Scene,
-        Entered { emissions, first }: Entered,
+        entered: Entered,
         light: SolvedLight,
         seconds: Stages,
         ranks: &Ranks,
     ) -> Outcome {
-        let SolvedLight { light, before, costs, functionals, shots } = light;
+        let SolvedLight { light, before, costs, functionals, shots, .. } = light;
         let slowest = costs.iter().max_by_key(|cost| cost.iterations);
         let (solver, iterations) =
             slowest.map_or((self.ready.options.solver.name, 0), |cost| (cost.solver, cost.iterations));
-        let groups = self.groups(emissions, first, light);
-        let before = before.map(|light| lit_before(&groups, light));
-        let before =
-            before.map(|groups| Solution::of_groups(Arc::clone(&self.ready.elements), scene, groups));
-        let solution = Solution::of_groups(Arc::clone(&self.ready.elements), scene, groups);
-        let solution = match self.ready.options.bounces {
-            Some(_) => solution.truncated(before),
-            None => solution,
-        };
+        let solution = self.solution_of(scene, entered, light, before);
         let powers = solution.powers().unwrap_or_default();
-        let residual = solution.bands().iter().map(|band| band.coefficients.residual).fold(0.0, f64::max);
+        let residual = solution.residual();
         let checks = Checks::with_powers(&solution, &self.blocks, powers, ranks);
         let statistics = &self.blocks.statistics;
         Outcome {
@@ -393,6 +429,26 @@ impl Model {
             links: None,
             shots,
             seconds,
+        }
+    }
+
+    /// The solution of light that entered a scene, with one reflection less in `before` where their number
+    /// is limited.
+    fn solution_of(
+        &self,
+        scene: &Scene,
+        Entered { emissions, first }: Entered,
+        light: Vec<Vec<Coefficients>>,
+        before: Option<Vec<Vec<Coefficients>>>,
+    ) -> Solution {
+        let groups = self.groups(emissions, first, light);
+        let before = before.map(|light| lit_before(&groups, light));
+        let before =
+            before.map(|groups| Solution::of_groups(Arc::clone(&self.ready.elements), scene, groups));
+        let solution = Solution::of_groups(Arc::clone(&self.ready.elements), scene, groups);
+        match self.ready.options.bounces {
+            Some(_) => solution.truncated(before),
+            None => solution,
         }
     }
 

@@ -62,12 +62,29 @@ pub struct Outcome {
     pub seconds: Stages,
 }
 
-impl Outcome {
+/// The light of a frame, without self-checks.
+#[derive(Debug)]
+pub(crate) struct FrameLight {
+    /// Polynomials of irradiance and radiosity.
+    pub solution: Solution,
+    /// As [`Outcome::residual`].
+    pub residual: f64,
+    /// As [`Outcome::converged`].
+    pub converged: bool,
+    /// As [`Outcome::worst_error`].
+    pub worst_error: Option<WorstError>,
+    /// As [`Outcome::sampling`].
+    pub sampling: Option<Sampling>,
+}
+
+impl FrameLight {
     /// Estimated relative error that rays left, where they carried the pairs; else 0.
     pub(crate) fn noise(&self) -> f64 {
         self.sampling.and_then(|sampling| sampling.error).unwrap_or(0.0)
     }
+}
 
+impl Outcome {
     /// The outcome for the same light at the factors of the groups of `scene`, which is the scene of this
     /// solution; None if the light of its groups is not kept apart.
     pub fn relight(&self, scene: &Scene) -> Option<Self> {

@@ -6,7 +6,7 @@ use radiosity_elements::Elements;
 use radiosity_published::bases::Subspace;
 use radiosity_scene::{MaskedPair, Scene, SceneSurface};
 use radiosity_solvers::method::Access;
-use radiosity_transport::{Demand, KeptBlocks};
+use radiosity_transport::Demand;
 use radiosity_visibility::Visibility;
 use radiosity_work::ranks::Ranks;
 use radiosity_work::wording::{option, set};
@@ -18,6 +18,7 @@ use super::direct::Direct;
 use super::emission::Emission;
 use super::failure::Failure;
 use super::first_light::{EnteringLight, FirstLight, LitScene};
+use super::kept_model::KeptModel;
 use super::light_method::LightMethod;
 use super::options::Options;
 use super::outcome::{Stages, timed};
@@ -52,7 +53,7 @@ impl Ready {
         scene: &Scene,
         options: &Options,
         plan: AssemblyPlan<'_>,
-        kept: Option<&KeptBlocks>,
+        before: Option<&KeptModel>,
         work: &Work<'_>,
     ) -> Result<Self, Failure> {
         require_diffuse(scene, options)?;
@@ -61,9 +62,12 @@ impl Ready {
         // The choice may depend on time or memory, which no fingerprint holds.
         work.ranks.note_choice(&(options.neutral(), decisions.choice.sampled));
         work.report(Progress::Finished { stage: Stage::Visibility, took: seconds.visibility });
-        decisions.require_memory(scene, options, kept.is_some(), work.ranks)?;
-        let before = kept.and_then(|kept| kept.elements());
-        let elements = timed(&mut seconds.elements, || elements(scene, &decisions, before))?;
+        let elements_before = before.and_then(|kept| kept.blocks.elements());
+        // Scenes that follow need as much as the first one.
+        if elements_before.is_none() {
+            decisions.require_memory(scene, options, before.is_some(), work.ranks)?;
+        }
+        let elements = timed(&mut seconds.elements, || elements(scene, &decisions, elements_before))?;
         let subspace = timed(&mut seconds.elements, || subspace(scene, options, &elements));
         work.report(Progress::Finished { stage: Stage::Elements, took: seconds.elements });
         let Decisions { visibility, choice, rays, .. } = decisions;

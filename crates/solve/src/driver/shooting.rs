@@ -38,6 +38,14 @@ pub(super) struct ShotLight {
     pub shots: Shots,
 }
 
+impl ShotLight {
+    /// The radiosity band by band, of each emission.
+    pub(super) fn by_band(&self) -> Vec<Vec<Vec<f64>>> {
+        let bands = self.radiosity.first().map_or(0, Vec::len);
+        (0..bands).map(|band| self.radiosity.iter().map(|own| own[band].clone()).collect()).collect()
+    }
+}
+
 /// Shots in one band and of one emission.
 struct Course {
     radiosity: Vec<f64>,
@@ -55,18 +63,25 @@ pub(super) struct ColumnSource<'a> {
 }
 
 impl Shooter<'_> {
-    /// Shoots the light of each emission in all bands.
+    /// Shoots the light of each emission in all bands, from the radiosity `before`, band by band, where that
+    /// of a similar scene is given.
     ///
     /// # Errors
     /// A solver that does not converge.
-    pub(super) fn shot(&self, source: ColumnSource<'_>, work: &Work<'_>) -> Result<ShotLight, Failure> {
+    pub(super) fn shot(
+        &self,
+        source: ColumnSource<'_>,
+        before: &[Vec<Vec<f64>>],
+        work: &Work<'_>,
+    ) -> Result<ShotLight, Failure> {
         let begun = Instant::now();
         let mut radiosity: Vec<Vec<Vec<f64>>> = self.emissions.iter().map(|_| Vec::new()).collect();
         let (mut costs, mut history, mut unshot) = (Vec::new(), Vec::new(), 0.0f64);
         for (band, name) in self.names.iter().enumerate() {
             for (emission, own) in radiosity.iter_mut().enumerate() {
+                let known = before.get(band).and_then(|known| known.get(emission));
                 let failed = |source| Failure::Solver { band: name.clone(), source };
-                let course = self.course(band, emission, source, begun, work).map_err(failed)?;
+                let course = self.course(band, emission, source, known, begun, work).map_err(failed)?;
                 own.push(course.radiosity);
                 costs.extend(course.cost);
                 unshot = unshot.max(course.history.last().map_or(0.0, |last| last.unshot));
@@ -107,13 +122,16 @@ impl Shooter<'_> {
         band: usize,
         emission: usize,
         source: ColumnSource<'_>,
+        before: Option<&Vec<f64>>,
         begun: Instant,
         work: &Work<'_>,
     ) -> Result<Course, SolveError> {
         let system = self.system(band, emission);
         let right = system.right_hand_side();
-        let mut radiosity = vec![0.0; right.len()];
+        let before = before.filter(|before| before.len() == right.len());
+        let mut radiosity = before.map_or_else(|| vec![0.0; right.len()], Vec::clone);
         if right.iter().all(|value| *value == 0.0) {
+            radiosity.fill(0.0);
             return Ok(Course { radiosity, cost: None, history: Vec::new() });
         }
         let (measure, ones) = (system.measure(), system.constant());

@@ -22,9 +22,22 @@ pub(super) struct SolveCost {
     pub converged: bool,
 }
 
+/// The solutions of the systems of a band.
+pub(super) struct SolvedBand {
+    /// The solution of each system.
+    pub found: Vec<RitzSolution>,
+    /// The unknowns of each system.
+    pub unknowns: Vec<Vec<f64>>,
+    /// None where nothing shines.
+    pub cost: Option<SolveCost>,
+}
+
 /// The cost of a finished solver; with `keep_partial` the best iterate of one that did not converge counts
 /// too, if it has one: a factorisation that ran out of time has none.
-fn cost(ended: Result<Vec<Report>, SolveError>, keep_partial: bool) -> Result<Option<SolveCost>, SolveError> {
+fn cost_of(
+    ended: Result<Vec<Report>, SolveError>,
+    keep_partial: bool,
+) -> Result<Option<SolveCost>, SolveError> {
     match ended {
         Ok(reports) => Ok(reports.into_iter().max_by_key(|report| report.iterations).map(
             |Report { method: solver, iterations, .. }| SolveCost { solver, iterations, converged: true },
@@ -41,24 +54,41 @@ fn cost(ended: Result<Vec<Report>, SolveError>, keep_partial: bool) -> Result<Op
 /// Solves the systems of one band, which differ in their emission alone. Without light there is nothing to
 /// solve, and no cost. Several ranks, whose clocks differ, go on to the end.
 ///
+/// Iterations start from the unknowns `before` of each system, those of a similar scene: what is then solved
+/// for is the difference, and a solver that is left open multiplies.
+///
 /// # Errors
 /// Those of the solver.
 pub(super) fn solve_band(
     systems: &[Ritz<'_>],
     options: &Options,
+    before: Option<&[Vec<f64>]>,
     work: &Work<'_>,
     observe: &mut dyn FnMut(&Step<'_>),
-) -> Result<(Vec<RitzSolution>, Option<SolveCost>), SolveError> {
+) -> Result<SolvedBand, SolveError> {
     let rights: Vec<Vec<f64>> = systems.iter().map(Ritz::right_hand_side).collect();
+    let before = before.filter(|before| has_sizes_of(before, &rights));
     let is_lit = |right: &[f64]| right.iter().any(|value| *value != 0.0);
     let lit: Vec<f64> = rights.iter().filter(|right| is_lit(right)).flatten().copied().collect();
-    let mut unknowns = vec![0.0; lit.len()];
-    let mut needed = None;
+    let mut unknowns = match before {
+        None => vec![0.0; lit.len()],
+        Some(before) => {
+            let known = before.iter().zip(&rights).filter(|(_, right)| is_lit(right));
+            known.flat_map(|(own, _)| own).copied().collect()
+        }
+    };
+    let mut cost = None;
     if let Some(first) = systems.first().filter(|_| !lit.is_empty()) {
         let threads = work.ranks.threads(options.threads);
-        let (operator, preconditioner) =
-            first.operator(options.solver, options.preconditioner.into(), threads)?;
-        let solver = first.solver(options.solver, operator.symmetric());
+        let asked = match before {
+            Some(_) if options.solver.access == Access::BySize => first.multiplying(),
+            _ => options.solver,
+        };
+        let (operator, preconditioner) = match before {
+            Some(_) if asked.only_multiplies() => first.product(options.preconditioner.into(), threads)?,
+            _ => first.operator(asked, options.preconditioner.into(), threads)?,
+        };
+        let solver = first.solver(asked, operator.symmetric());
         // Only shooting needs it, and it costs as much as a basis.
         let measure = (solver.access == Access::Columns).then(|| first.shooting_measure());
         let interruption = interruption::current();
@@ -78,12 +108,19 @@ pub(super) fn solve_band(
         let ended = solver.solver.solve_many(&*operator, &lit, &mut unknowns, &settings, &mut observe);
         // Where it was cancelled.
         check_interrupt();
-        needed = cost(ended, options.keep_partial)?;
+        cost = cost_of(ended, options.keep_partial)?;
     }
     let mut columns = unknowns.chunks_exact(rights.first().map_or(1, |right| right.len().max(1)));
-    let solved = |(system, right): (&Ritz<'_>, &Vec<f64>)| {
+    let own = |right: &Vec<f64>| {
         let own = if is_lit(right) { columns.next() } else { None };
-        own.map_or_else(|| system.found(&vec![0.0; right.len()]), |own| system.found(own))
+        own.map_or_else(|| vec![0.0; right.len()], <[f64]>::to_vec)
     };
-    Ok((systems.iter().zip(&rights).map(solved).collect(), needed))
+    let unknowns: Vec<Vec<f64>> = rights.iter().map(own).collect();
+    let found = systems.iter().zip(&unknowns).map(|(system, own)| system.found(own)).collect();
+    Ok(SolvedBand { found, unknowns, cost })
+}
+
+/// Whether there are as many unknowns as right-hand sides, of the same sizes.
+fn has_sizes_of(unknowns: &[Vec<f64>], rights: &[Vec<f64>]) -> bool {
+    unknowns.len() == rights.len() && unknowns.iter().zip(rights).all(|(own, right)| own.len() == right.len())
 }

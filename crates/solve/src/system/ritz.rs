@@ -84,6 +84,26 @@ impl<'a> Ritz<'a> {
         if is_symmetric { &Method::CG } else { &Method::GMRES }
     }
 
+    /// The solver that multiplies where the choice is left open.
+    pub(crate) fn multiplying(&self) -> &'static Method {
+        if self.system.is_symmetric() { &Method::CG } else { &Method::GMRES }
+    }
+
+    /// The matrix by its products alone where it is symmetric, for few of them; as [`Ritz::operator`] else.
+    ///
+    /// # Errors
+    /// Values that are not finite.
+    pub(crate) fn product(
+        &self,
+        asked: Preconditioner,
+        threads: usize,
+    ) -> Result<(Box<dyn Operator + '_>, Preconditioner), SolveError> {
+        match self.reduction {
+            None if self.system.is_symmetric() => Ok((self.system.product(), asked)),
+            _ => self.operator(self.multiplying(), asked, threads),
+        }
+    }
+
     /// The matrix for the solver `solver`, and how residuals are to be preconditioned where `asked` says how.
     ///
     /// # Errors

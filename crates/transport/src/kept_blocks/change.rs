@@ -19,10 +19,17 @@ pub(super) struct SceneState {
 /// Whether each element and surface is another than in the scene before, and whether rays start on each
 /// surface in another way.
 #[derive(Debug)]
-pub(super) struct Change {
+pub(crate) struct SceneChange {
     pub elements: Vec<bool>,
     pub surfaces: Vec<bool>,
     pub starts: Vec<bool>,
+}
+
+impl SceneChange {
+    /// Whether the rays of an element of a surface leave it otherwise than in the scene before.
+    pub(crate) fn is_moved(&self, element: usize, surface: usize) -> bool {
+        self.elements[element] || self.surfaces[surface] || self.starts[surface]
+    }
 }
 
 impl SceneState {
@@ -35,9 +42,9 @@ impl SceneState {
     }
 
     /// The difference from the scene before; None where that has other numbers of surfaces or elements.
-    pub(super) fn change(&self, before: &Self) -> Option<Change> {
+    pub(super) fn change(&self, before: &Self) -> Option<SceneChange> {
         let is_alike = self.counts() == before.counts();
-        is_alike.then(|| Change {
+        is_alike.then(|| SceneChange {
             elements: differing(self.elements.list(), before.elements.list(), is_same),
             surfaces: differing(&self.surfaces, &before.surfaces, Arc::ptr_eq),
             starts: differing(&self.starts, &before.starts, |a, b| a == b),

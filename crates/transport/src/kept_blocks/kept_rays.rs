@@ -6,7 +6,7 @@
 
 use std::sync::Arc;
 
-use radiosity_geom::{DVec3, Encounter, Hit, RayTree};
+use radiosity_geom::{Aabb, DVec3, Encounter, Hit, RayTree};
 use serde::{Deserialize, Serialize};
 
 /// Most rays that are kept, by all ranks and all sequences of rays together; others are traced in every
@@ -21,7 +21,7 @@ const NOTHING: u32 = u32::MAX;
 
 /// The hit of a ray: twice the number of the surface, plus 1 at its back, then distance and parameters (t, u,
 /// v).
-#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub(crate) struct KeptHit {
     surface: u32,
     hit: [f64; 3],
@@ -37,10 +37,12 @@ pub(super) struct ElementRays {
 
 /// Surfaces that have changed and may come into the way of rays.
 #[derive(Debug)]
-pub(super) struct ChangedSurfaces {
+pub(crate) struct ChangedSurfaces {
     /// Whether each surface has changed.
     pub surfaces: Vec<bool>,
-    /// Tree of the surfaces that have changed, where they are now.
+    /// Boxes of the surfaces that have changed, where they are now.
+    pub boxes: Vec<Aabb>,
+    /// Tree of these surfaces.
     pub tree: RayTree,
     /// [`RayTree::reach`] of all surfaces.
     pub reach: f64,
@@ -66,6 +68,14 @@ pub struct RayCounts {
     pub recalled: u64,
 }
 
+impl ChangedSurfaces {
+    /// Whether one of these surfaces may come before `end` (in multiples of the direction) in the way of a
+    /// ray, from its origin in its direction.
+    pub(crate) fn may_hide(&self, [origin, direction]: [DVec3; 2], end: f64) -> bool {
+        self.tree.may_come_before(origin, direction, end, self.reach)
+    }
+}
+
 impl KeptHit {
     pub(crate) fn of(encounter: Option<&Encounter>) -> Self {
         match encounter {
@@ -76,7 +86,17 @@ impl KeptHit {
         }
     }
 
-    fn encounter(self) -> Option<Encounter> {
+    /// The surface that is met; None of a ray that meets nothing.
+    pub(crate) fn surface(&self) -> Option<usize> {
+        (self.surface != NOTHING).then_some((self.surface / 2) as usize)
+    }
+
+    /// Distance to where it is met (scene length); infinite where nothing is.
+    pub(crate) fn distance(&self) -> f64 {
+        self.hit[0]
+    }
+
+    pub(crate) fn encounter(self) -> Option<Encounter> {
         let [t, u, v] = self.hit;
         let surface = (self.surface / 2) as usize;
         let encounter = Encounter { surface, hit: Hit { t, u, v }, front: self.surface.is_multiple_of(2) };
@@ -118,9 +138,8 @@ impl KeptRays {
         if encounter.is_some_and(|encounter| self.changed.surfaces[encounter.surface]) {
             return None;
         }
-        let ChangedSurfaces { tree, reach, .. } = self.changed.as_ref();
         let end = encounter.map_or(f64::INFINITY, |encounter| encounter.hit.t);
-        (!tree.may_come_before(origin, direction, end, *reach)).then_some(encounter)
+        (!self.changed.may_hide([origin, direction], end)).then_some(encounter)
     }
 
     /// Keeps what rays of an element met, the first of them of this index, and counts how many had been
@@ -134,6 +153,16 @@ impl KeptRays {
             kept.extend_from_slice(&hits[..count as usize]);
             self.room -= count;
         }
+    }
+
+    /// What the rays of an element met in this scene, as far as there was room.
+    pub(crate) fn hits(&self, element: usize) -> &[KeptHit] {
+        &self.now[element].hits
+    }
+
+    /// How many rays were traced, and how many were not.
+    pub(crate) fn counts(&self) -> RayCounts {
+        self.counts
     }
 
     /// The rays of this scene, kept for the next one, and how many were traced.

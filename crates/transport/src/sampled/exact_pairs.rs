@@ -68,7 +68,11 @@ impl ExactPairs {
             kept.into_iter().for_each(|kept| kept.replace(Vec::new(), work.ranks));
             return Self::default();
         }
-        let wanted = |row: usize, column: usize| pairs.contains(&(row as u32, column as u32));
+        // All pairs of elements are asked for.
+        let count = elements.list().len();
+        let mut marks = vec![false; count * count];
+        pairs.iter().for_each(|(row, column)| marks[*row as usize * count + *column as usize] = true);
+        let wanted = |row: usize, column: usize| marks[row * count + column];
         let demand = Demand::all(elements, visibility, accuracy).of(&wanted);
         let (blocks, left) = by_rules(demand, Unreached::Left, kept, work);
         for pair in left {
@@ -80,6 +84,11 @@ impl ExactPairs {
     /// Whether a pair is carried exactly, the element that comes first in front.
     pub(super) fn holds(&self, pair: (u32, u32)) -> bool {
         self.pairs.contains(&pair)
+    }
+
+    /// The pairs.
+    pub(super) fn into_pairs(self) -> HashSet<(u32, u32)> {
+        self.pairs
     }
 
     /// Largest error of the exact blocks, as [`BlockStatistics::accuracy_reached`].

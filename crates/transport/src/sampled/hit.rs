@@ -15,12 +15,29 @@ pub(super) struct Hit {
     pub target: u32,
     /// Half of the rays to which the ray belongs: 0 or 1.
     pub half: u32,
-    /// Weight of the ray ([`Departure::weight`]).
+    /// Weight of the ray ([`Departure::weight`]), negative where it is taken back.
     pub weight: f64,
     /// Coordinates in the frame of its source's basis.
     pub from: [f64; 2],
     /// Coordinates in the frame of its target's basis.
     pub to: [f64; 2],
+}
+
+impl Hit {
+    /// Its two elements, the one that comes first in front.
+    pub(super) fn pair(&self) -> (u32, u32) {
+        (self.source.min(self.target), self.source.max(self.target))
+    }
+
+    /// This hit, taken back.
+    pub(super) fn taken_back(self) -> Self {
+        Self { weight: -self.weight, ..self }
+    }
+
+    /// 1; −1 where it is taken back.
+    pub(super) fn count(&self) -> i32 {
+        if self.weight < 0.0 { -1 } else { 1 }
+    }
 }
 
 /// The hit of the ray of number `index` from element `source`, given what it meets first; none where it

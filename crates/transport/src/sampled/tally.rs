@@ -47,8 +47,8 @@ struct Row {
 #[derive(Clone, Copy, Debug)]
 struct Pair {
     column: u32,
-    /// Rays that went either way.
-    hits: u32,
+    /// Rays that went either way, less those that were taken back.
+    hits: i32,
     is_cross: bool,
     /// Where its sums start.
     start: usize,
@@ -62,7 +62,7 @@ pub(super) struct Sums<'a> {
     /// The other one.
     pub column: usize,
     /// Rays that went either way.
-    pub hits: u32,
+    pub hits: i32,
     /// Whether only the first line and the rest of the first column are known.
     pub is_cross: bool,
     /// S of the one and of the other half of the rays, row-major, or as told by `is_cross`.
@@ -82,7 +82,8 @@ impl Tally {
         Self { rows: vec![Row::default(); elements], full: None }
     }
 
-    /// Adds `hits`; the sums are the same however they are spread over calls, but for rounding.
+    /// Adds `hits`, and takes back those of negative weight; the sums are the same however they are spread
+    /// over calls, but for rounding. A pair of which all hits were taken back is forgotten.
     pub(super) fn take(&mut self, list: &[Element], hits: &[Hit]) {
         let sorted = |(place, hit): (usize, &Hit)| SortedHit { pair: key(hit), place: place as u32 };
         let mut order: Vec<SortedHit> = hits.par_iter().enumerate().map(sorted).collect();
@@ -186,7 +187,8 @@ impl Row {
             let start = made.sums.len();
             sums.clear();
             sums.resize(2 * size, 0.0);
-            made.pairs.push(Pair { column, hits: own.len() as u32, is_cross, start });
+            let count = own.iter().map(|sorted| hits[sorted.place as usize].count()).sum();
+            made.pairs.push(Pair { column, hits: count, is_cross, start });
             for sorted in own {
                 let hit = &hits[sorted.place as usize];
                 let sums = &mut sums[hit.half as usize * size..][..size];
@@ -228,7 +230,10 @@ impl Row {
                 }
                 *place += 1;
             }
-            both.pairs.push(Pair { column: next, hits, is_cross, start });
+            match hits {
+                0 => both.sums.truncate(start),
+                _ => both.pairs.push(Pair { column: next, hits, is_cross, start }),
+            }
         }
         both
     }

@@ -131,7 +131,7 @@ impl Schedule<'_> {
         let asked = if is_told { blockers } else { &[] };
         let (mut blockers, mut rays) = (Cow::Borrowed(blockers), 0);
         if !asked.is_empty() || !task.own.is_empty() {
-            let parts = [&self.parts[row][..], &self.parts[column][..]];
+            let parts = [self.parts_of(row), self.parts_of(column)];
             let surfaces = [receiver.surface, emitter.surface];
             let most = if is_told { enough } else { MOST_OWN_RAYS };
             let met = ProbingRays::between(parts, surfaces, asked, &task.own, self.visibility, most);
@@ -168,7 +168,7 @@ impl Schedule<'_> {
             return None;
         }
         let sees = |x, y| self.visibility.free(&task.blockers, x, y);
-        let rays = self.estimates[receiver].hidden_rays(&self.estimates[emitter], &sees)?;
+        let rays = self.estimate_of(receiver).hidden_rays(self.estimate_of(emitter), &sees)?;
         let is_told = rays >= FEWEST_RAYS && RULE_OF_THREE * task.estimate <= goal.unseen * rays as f64;
         is_told.then(|| Block::hidden(self.size([receiver, emitter]), rays))
     }

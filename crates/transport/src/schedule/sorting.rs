@@ -112,7 +112,7 @@ impl Schedule<'_> {
     /// Coarse estimate of the first entry of the block of two elements, without blockers.
     fn estimate(&self, row: usize, column: usize) -> f64 {
         let [first, other] = if self.comes_later(row, column) { [column, row] } else { [row, column] };
-        self.estimates[first].entry(&self.estimates[other])
+        self.estimate_of(first).entry(self.estimate_of(other))
     }
 
     /// Whether the first of two elements is the inner one ([`crate::schedule::order`]).

@@ -1,5 +1,7 @@
 //! The elements with the data that sorting needs, and the pairs that are left to integrate.
 
+use std::sync::OnceLock;
+
 use radiosity_elements::Element;
 use radiosity_elements::patch::Patch;
 use radiosity_kernel::Accuracy;
@@ -7,7 +9,6 @@ use radiosity_kernel::contact::sectors::sectors;
 use radiosity_kernel::estimates::coarse::CoarseEstimate;
 use radiosity_kernel::estimates::entry_bounds::EntryBounds;
 use radiosity_visibility::Visibility;
-use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
 use super::congruent::Panel;
@@ -20,10 +21,10 @@ pub(super) struct Schedule<'a> {
     pub(super) panels: Vec<Option<Panel>>,
     pub(super) bounds: Vec<EntryBounds>,
     pub(super) precedence: Vec<Precedence>,
-    pub(super) estimates: Vec<CoarseEstimate>,
+    estimates: Vec<OnceLock<CoarseEstimate>>,
     /// Whether coarse estimates are needed: planar elements need them for shadows only.
     pub(super) is_estimated: bool,
-    pub(super) parts: Vec<Vec<Patch>>,
+    parts: Vec<OnceLock<Vec<Patch>>>,
     pub(super) visibility: &'a Visibility,
     pub(super) accuracy: Accuracy,
     pub(super) unreached: Unreached,
@@ -40,14 +41,24 @@ impl<'a> Schedule<'a> {
             panels: list.iter().map(Panel::of).collect(),
             bounds: list.iter().map(EntryBounds::of).collect(),
             precedence: list.iter().map(Precedence::of).collect(),
-            estimates: list.par_iter().map(CoarseEstimate::of).collect(),
+            estimates: list.iter().map(|_| OnceLock::new()).collect(),
             is_estimated: visibility.has_obstacles() || list.iter().any(|element| element.plane.is_none()),
-            parts: list.par_iter().map(sectors).collect(),
+            parts: list.iter().map(|_| OnceLock::new()).collect(),
             visibility,
             accuracy,
             unreached,
             wanted,
         }
+    }
+
+    /// The coarse estimate of an element, made when it is first asked for.
+    pub(super) fn estimate_of(&self, element: usize) -> &CoarseEstimate {
+        self.estimates[element].get_or_init(|| CoarseEstimate::of(&self.list[element]))
+    }
+
+    /// The sectors of an element, made when they are first asked for.
+    pub(super) fn parts_of(&self, element: usize) -> &[Patch] {
+        self.parts[element].get_or_init(|| sectors(&self.list[element]))
     }
 }
 

@@ -1,0 +1,294 @@
+//! The sampled transport of a scene: rays in two stages, and what is left of error.
+//!
+//! A pilot, spread by area, tells about how bright each element is. The rays after it are sent by area and
+//! brightness:
+//!
+//! ```text
+//! n_i ∝ A_i (1 + β B_i / B̄) ,     B̄ = Σ A_i B_i / Σ A_i ,
+//! ```
+//!
+//! so that small lamps send enough. They go in rounds of all elements, so that the work can be stopped after
+//! any of them. The scene is then solved with the rays of even and with those of odd number, too. Half of the
+//! difference of these two solutions is about the error of the solution by all rays. (Rays by brightness: P.
+//! Hanrahan, D. Salzman, L. Aupperle, SIGGRAPH 1991, 197-206, for links.)
+
+use radiosity_core::dot;
+use radiosity_elements::coating::Coating;
+use radiosity_elements::{Element, Elements};
+use radiosity_kernel::{Accuracy, Blocks};
+use radiosity_light::first_bounce::DirectLightEntry;
+use radiosity_solvers::SolveError;
+use radiosity_solvers::method::Method;
+use radiosity_transport::{KeptBlocks, Rays, SampledTransport};
+use radiosity_visibility::Visibility;
+use radiosity_work::{Deadline, Progress, Work};
+
+use crate::system::ritz::Ritz;
+use crate::system::{Coefficients, System};
+
+use super::kept_model::KeptModel;
+use super::options::Options;
+use super::sampling::Sampling;
+use super::solve_band::solve_band;
+
+/// Share of the rays that the pilot sends, one round of them at most. Between 0.05 and 0.2 errors
+/// changed by less than a tenth of themselves.
+const PILOT: f64 = 0.1;
+
+/// β: weight of brightness against area. An office needs a third of its rays from its lamps; here a lamp that
+/// sends all light of a scene gets β/(1 + β) of them.
+const BRIGHTNESS: f64 = 0.3;
+
+/// Fewest rays of an element in the pilot round, and in all, so that no element is without any: a row of four
+/// hits is known to a half, one of sixteen to a fourth.
+const FEWEST: [u64; 2] = [4, 16];
+
+/// Accuracy of pairs that are carried exactly, in multiples of n^-½ for n rays in all: better than rays find
+/// any pair that gets less than a 25th of them. With a smaller value exact pairs take longer and save no
+/// error.
+const EXACT: f64 = 5.0;
+
+/// Part of the accuracy of single exact pairs that is left in mean irradiances: between a tenth and a
+/// hundredth in two rooms (`cargo run --release -p radiosity-studies --bin rays -- sooner`).
+const LEFT: f64 = 0.1;
+
+/// Rays of a round: about a second's on two cores.
+const ROUND: u64 = 1 << 21;
+
+/// Relative residual of solutions that only tell brightness or error.
+const ROUGH: f64 = 1e-4;
+
+/// A scene ready for rays.
+#[derive(Debug)]
+pub(super) struct Subject<'a> {
+    pub elements: &'a Elements,
+    /// Coatings of each light group, band by band: how rays are spread, and their error, do not depend on
+    /// factors.
+    pub bands: &'a [Vec<&'a Coating>],
+    /// The way in which the direct light of each light group enters the system.
+    pub entries: &'a [DirectLightEntry],
+    pub visibility: &'a Visibility,
+    pub options: &'a Options,
+    pub work: &'a Work<'a>,
+}
+
+impl Subject<'_> {
+    /// The blocks by `rays` rays after the pilot, and what they are worth; what `kept` holds is not found
+    /// again.
+    pub(super) fn sample(&self, rays: u64, mut kept: Option<&mut KeptModel>) -> (Blocks, Sampling) {
+        let _guard = self.work.deadline.map(Deadline::accept_wishes);
+        if let Some(found) = kept.as_deref_mut().and_then(|kept| self.follow(rays, kept)) {
+            return found;
+        }
+        let (transport, planned) = self.sent(rays, kept.as_deref_mut().map(|kept| &mut kept.blocks));
+        // The halves first: their blocks are gone when the whole ones are made.
+        let sampling = self.worth(&transport, rays, planned);
+        let blocks = transport.blocks(Rays::All);
+        match kept {
+            Some(KeptModel { blocks, standing: Some(standing) }) => {
+                transport.keep_standing(&mut standing.rays, blocks);
+                standing.tell(sampling);
+            }
+            kept => transport.keep_rays(kept.map(|kept| &mut kept.blocks)),
+        }
+        (blocks, sampling)
+    }
+
+    /// The blocks by the rays of the scene before, where these stand.
+    fn follow(&self, rays: u64, kept: &mut KeptModel) -> Option<(Blocks, Sampling)> {
+        let Self { elements, visibility, work, .. } = *self;
+        let KeptModel { blocks: kept, standing } = kept;
+        let standing = standing.as_mut()?;
+        let accuracy = self.accuracy(rays);
+        let transport =
+            SampledTransport::standing(elements, visibility, accuracy, &mut standing.rays, kept, work)?;
+        let planned = transport.sent().iter().sum();
+        let told = standing.told();
+        let sampling = told.unwrap_or_else(|| self.worth(&transport, rays, planned));
+        if told.is_none() {
+            standing.tell(sampling);
+        }
+        let blocks = transport.blocks(Rays::All);
+        transport.keep_standing(&mut standing.rays, kept);
+        Some((blocks, sampling))
+    }
+
+    /// The transport by `rays` rays after the pilot, and how many were to be sent in all.
+    fn sent(&self, rays: u64, mut kept: Option<&mut KeptBlocks>) -> (SampledTransport<'_>, u64) {
+        let Self { elements, visibility, work, .. } = *self;
+        let mut transport = SampledTransport::keeping(elements, visibility, kept.as_deref_mut(), work.ranks);
+        let pilot = (PILOT * rays as f64).min(ROUND as f64);
+        transport.send(&self.by_area(pilot), &mut |done| {
+            self.goes_on(Progress::Rays { done, of: rays, error: None })
+        });
+        // Where the pilot tells nothing, all elements count as equally bright.
+        let bright = self
+            .brightness(&transport.blocks(Rays::All))
+            .unwrap_or_else(|_| vec![1.0; self.elements.list().len()]);
+        let planned = self.by_brightness(rays as f64, &bright);
+        let total = transport.sent().iter().sum::<u64>() + planned.iter().sum::<u64>();
+        if !work.is_ended() {
+            transport.settle_again(&planned, self.accuracy(rays), kept, work);
+            self.send_in_rounds(&mut transport, &planned);
+        }
+        (transport, total)
+    }
+
+    /// The worth of the rays that were sent, of so many that were `planned`.
+    fn worth(&self, transport: &SampledTransport<'_>, rays: u64, planned: u64) -> Sampling {
+        // Both halves share the exact pairs, and what these are off.
+        let of_exact = match transport.exact_pairs() {
+            0 => 0.0,
+            _ => LEFT * self.accuracy(rays).eps.max(transport.exact_accuracy()),
+        };
+        Sampling {
+            rays: transport.sent().iter().sum(),
+            planned,
+            exact_pairs: transport.exact_pairs(),
+            error: self.error(transport).ok().map(|error| error.hypot(of_exact)),
+        }
+    }
+
+    /// Tells how far the work is; returns whether it goes on.
+    fn goes_on(&self, progress: Progress) -> bool {
+        self.work.report(progress);
+        !self.work.is_ended()
+    }
+
+    /// Sends the planned rays, unless the work is stopped. The error so far is told after rounds
+    /// 1, 2, 4, 8, …: what this costs is a part of what the rays do.
+    fn send_in_rounds(&self, transport: &mut SampledTransport, planned: &[u64]) {
+        let before: u64 = transport.sent().iter().sum();
+        let total = before + planned.iter().sum::<u64>();
+        let rounds = (total - before).div_ceil(ROUND);
+        let (mut done, mut error) = (before, None);
+        for round in 1..=rounds {
+            let until =
+                |round: u64, count: u64| (u128::from(count) * u128::from(round) / u128::from(rounds)) as u64;
+            let now: Vec<u64> =
+                planned.iter().map(|count| until(round, *count) - until(round - 1, *count)).collect();
+            transport
+                .send(&now, &mut |more| self.goes_on(Progress::Rays { done: done + more, of: total, error }));
+            if self.work.is_ended() {
+                return;
+            }
+            done += now.iter().sum::<u64>();
+            if round.is_power_of_two() && round < rounds {
+                error = self.error(transport).ok();
+            }
+        }
+    }
+
+    /// Accuracy of the pairs that are carried exactly: better than that of most others.
+    fn accuracy(&self, rays: u64) -> Accuracy {
+        let Accuracy { eps, shadow_eps } = self.options.accuracy();
+        let noise = EXACT / (rays as f64).sqrt();
+        Accuracy { eps: eps.min(noise), shadow_eps: shadow_eps.min(noise) }
+    }
+
+    fn area(&self) -> f64 {
+        self.elements.list().iter().map(|element| element.area).sum()
+    }
+
+    fn by_area(&self, rays: f64) -> Vec<u64> {
+        let area = self.area();
+        self.planned(&|index| rays * self.elements.list()[index].area / area, FEWEST[0])
+    }
+
+    /// Number of rays of each element, `fewest` at least; none of those that others cover.
+    fn planned(&self, share: &dyn Fn(usize) -> f64, fewest: u64) -> Vec<u64> {
+        let list = self.elements.list().iter().enumerate();
+        let own = |(index, element): (usize, &Element)| match element.contact {
+            Some(_) => 0,
+            None => (share(index).ceil() as u64).max(fewest),
+        };
+        list.map(own).collect()
+    }
+
+    /// n_i for relative brightnesses B_i / B̄.
+    fn by_brightness(&self, rays: f64, bright: &[f64]) -> Vec<u64> {
+        let weights = self.elements.list().iter().zip(bright);
+        let weights: Vec<f64> = weights.map(|(element, b)| element.area * (1.0 + BRIGHTNESS * b)).collect();
+        let all: f64 = weights.iter().sum();
+        self.planned(&|index| rays * weights[index] / all, FEWEST[1])
+    }
+
+    /// B_i / B̄ of each element, the mean of the bands and light groups that emit.
+    fn brightness(&self, blocks: &Blocks) -> Result<Vec<f64>, SolveError> {
+        let area = self.area();
+        let mut bright = vec![0.0; self.elements.list().len()];
+        let mut bands = 0.0;
+        for solved in self.solved(blocks)? {
+            let radiosity = self.means(&solved.radiosity);
+            let power: f64 = radiosity
+                .iter()
+                .zip(self.elements.list())
+                .map(|(b, element)| b.max(0.0) * element.area)
+                .sum();
+            if power > 0.0 {
+                bands += 1.0;
+                bright.iter_mut().zip(&radiosity).for_each(|(sum, b)| *sum += b.max(0.0) * area / power);
+            }
+        }
+        bright.iter_mut().for_each(|sum| *sum /= f64::max(bands, 1.0));
+        Ok(bright)
+    }
+
+    /// Relative L2 of half the difference of the solutions by either half of the rays, largest of the bands
+    /// and light groups.
+    fn error(&self, transport: &SampledTransport) -> Result<f64, SolveError> {
+        let even = self.mean_irradiances(transport, Rays::Even)?;
+        let odd = self.mean_irradiances(transport, Rays::Odd)?;
+        let mut worst: f64 = 0.0;
+        for (even, odd) in even.iter().zip(&odd) {
+            let (mut difference, mut sum) = (0.0, 0.0);
+            for ((even, odd), element) in even.iter().zip(odd).zip(self.elements.list()) {
+                difference += element.area * (even - odd).powi(2);
+                sum += element.area * (even + odd).powi(2);
+            }
+            worst = worst.max(if sum > 0.0 { (difference / sum).sqrt() } else { 0.0 });
+        }
+        Ok(worst)
+    }
+
+    /// Mean irradiance of each element, band by band and group by group, by some of the rays.
+    fn mean_irradiances(
+        &self,
+        transport: &SampledTransport,
+        rays: Rays,
+    ) -> Result<Vec<Vec<f64>>, SolveError> {
+        let blocks = transport.blocks(rays);
+        let solved = self.solved(&blocks)?;
+        Ok(solved.iter().map(|solved| self.means(&solved.irradiance)).collect())
+    }
+
+    /// Rough solutions, band by band and group by group.
+    fn solved(&self, blocks: &Blocks) -> Result<Vec<Coefficients>, SolveError> {
+        let method = &Method::AUTO;
+        let tolerance = ROUGH.max(self.options.tolerance);
+        let rough = Options { tolerance, solver: method, keep_partial: false, ..*self.options };
+        let list = self.elements.list();
+        let mut all = Vec::new();
+        for (band, coatings) in self.bands.iter().enumerate() {
+            let groups = coatings.iter().zip(self.entries);
+            let systems: Vec<Ritz<'_>> = groups
+                .map(|(coating, entry)| System::entered(list, blocks, band, coating, entry))
+                .map(|system| Ritz::new(system, None))
+                .collect();
+            let solved = solve_band(&systems, &rough, None, self.work, &mut |_| ())?;
+            all.extend(solved.found.into_iter().map(|found| found.coefficients));
+        }
+        Ok(all)
+    }
+
+    /// Mean over each element of what these coefficients stand for.
+    fn means(&self, coefficients: &[f64]) -> Vec<f64> {
+        let mut start = 0;
+        let mean = |element: &Element| {
+            let own = &coefficients[start..][..element.constant.len()];
+            start += own.len();
+            dot(own, &element.constant) / element.area
+        };
+        self.elements.list().iter().map(mean).collect()
+    }
+}
