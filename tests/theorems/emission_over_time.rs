@@ -169,7 +169,8 @@ fn what_is_dimmed_and_moved_keeps_the_blocks_that_nothing_moves_past() {
     let fresh = frames(&scene, &options, FollowMode::Fresh, &numbers);
     let series = frames(&scene, &options, FollowMode::Series { tolerance: 1e-6 }, &numbers);
     for ((fresh, series), number) in fresh.iter().zip(&series).zip(numbers) {
-        assert!(apart(&series.solution, &fresh.solution) < 1e-5, "{number}");
+        let (apart, told) = (apart(&series.solution, &fresh.solution), series.interpolated.unwrap_or(0.0));
+        assert!(apart <= told + 1e-9, "{number}: {apart:e} > {told:e}");
     }
 }
 
@@ -218,7 +219,7 @@ fn bends_are_those_of_paths_and_of_emission() {
     assert_eq!(scene.animation.unwrap().bends(), [0.0, 0.5, 2.0, 4.0, 6.0, 7.0]);
 }
 
-/// What a surface emits, and some of its points, to the bit.
+/// The emission of a surface and some of its points, to the bit.
 fn held(surface: &SceneSurface) -> (Vec<u64>, Vec<[u64; 3]>) {
     let places = [-1.0, -0.3, 0.4, 1.0];
     let points = places.iter().flat_map(|u| places.iter().map(|v| surface.shape.jet(*u, *v).position));

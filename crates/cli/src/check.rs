@@ -269,7 +269,7 @@ fn motion_lines(scene: &Scene) -> Vec<String> {
     [head].into_iter().chain(movers.iter().map(motion)).collect()
 }
 
-/// What a mover does, in words.
+/// The verb for a mover.
 fn happens(mover: &Mover) -> &'static str {
     match (mover.has_path(), mover.emission.is_some()) {
         (true, true) => "moves and dims",

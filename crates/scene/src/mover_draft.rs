@@ -167,6 +167,15 @@ pub fn movers(drafts: Vec<MoverDraft>, clock: Clock, movable: &MovableThings) ->
     }
 }
 
+/// Names of one kind, and the things that they may mean.
+struct NameList<'a> {
+    members: &'a [NamedMember],
+    /// Indices of the things, of all surfaces and after those of all luminaires.
+    among: Range<usize>,
+    names: NamesOf,
+    unknown: UnknownName,
+}
+
 /// A name that was chosen, with what it means.
 struct ChosenThings<'a> {
     member: &'a NamedMember,
@@ -215,25 +224,32 @@ impl MoverDraft {
     /// All names that are chosen, with what they mean.
     fn chosen(&self, movable: &MovableThings) -> Result<Vec<ChosenThings<'_>>, Located> {
         let all: Vec<&MemberNames> = movable.surfaces.iter().chain(&movable.luminaires).collect();
-        let (count, end) = (movable.surfaces.len(), all.len());
-        let lists: [(&[NamedMember], Range<usize>, NamesOf, UnknownName); 4] = [
-            (&self.surfaces, 0..count, MemberNames::own, Fault::unknown_surface),
-            (&self.luminaires, count..end, MemberNames::own, unknown_luminaire),
-            (&self.instances, 0..end, MemberNames::of_instances, unknown_instance),
-            (&self.groups, 0..end, MemberNames::of_group, unknown_group),
-        ];
         let mut chosen = Vec::new();
-        for (members, among, names, unknown) in lists {
+        for NameList { members, among, names, unknown } in self.lists(movable.surfaces.len(), all.len()) {
             for member in members {
                 let things = found(slice::from_ref(member), &all[among.clone()], names, unknown);
                 let things = things.map_err(|(span, fault)| self.located(span.as_ref(), fault))?;
-                chosen.push(ChosenThings {
-                    member,
-                    things: things.iter().map(|index| among.start + index).collect(),
-                });
+                let things = things.into_iter().map(|index| among.start + index).collect();
+                chosen.push(ChosenThings { member, things });
             }
         }
         Ok(chosen)
+    }
+
+    /// The lists of its names, in a scene of so many surfaces and of as many things, luminaires included.
+    fn lists(&self, surfaces: usize, things: usize) -> [NameList<'_>; 4] {
+        let list = |members, among, names: NamesOf, unknown: UnknownName| NameList {
+            members,
+            among,
+            names,
+            unknown,
+        };
+        [
+            list(&self.surfaces, 0..surfaces, MemberNames::own, Fault::unknown_surface),
+            list(&self.luminaires, surfaces..things, MemberNames::own, unknown_luminaire),
+            list(&self.instances, 0..things, MemberNames::of_instances, unknown_instance),
+            list(&self.groups, 0..things, MemberNames::of_group, unknown_group),
+        ]
     }
 
     /// Refuses a track of other bands, one of things of which none emits, and on a thing that rests, names of
