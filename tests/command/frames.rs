@@ -37,6 +37,54 @@ fn a_frame_is_the_scene_that_is_typed_as_it_shows() {
     assert!(factors("moving.toml", &["--frame", "2.5"]) > typed);
 }
 
+const FADES: &str =
+    "[[motion]]\nname = \"fade\"\nsurfaces = [\"floor\", \"roof\"]\nemission = { factors = [1, 0] }\n";
+
+#[test]
+fn a_frame_of_dimmed_lamps_is_the_scene_of_their_emission() {
+    let moving = squares(1.0, FADES);
+    let folder = folder(&[
+        ("moving.toml", moving.clone()),
+        ("typed.toml", squares(1.0, "").replace("emission = 1", "emission = 0.25")),
+        ("points.csv", "x,y,z,nx,ny,nz\n0.3,0.5,0,0,0,1\n".to_owned()),
+    ]);
+    let folder = folder.path();
+    let grid = |more: &[&str]| done(folder, &[&["grid", "--cells", "2x2"], more].concat())[0].clone();
+    assert_eq!(grid(&["moving.toml", "--frame", "3"]), grid(&["typed.toml"]));
+    // In the dark there is no light, in tables, pictures and solutions.
+    let dark = grid(&["moving.toml", "--frame", "4"]);
+    let is_dark = |line: &str| line.split(',').skip(3).take(2).all(|light| light == "0");
+    assert!(dark.lines().count() == 9 && dark.lines().skip(1).all(is_dark), "{dark}");
+    done(folder, &["solve", "moving.toml", "--frame", "4", "-o", "dark.json"]);
+    assert_eq!(grid(&["dark.json"]), dark);
+    done(folder, &["render", "moving.toml", "--frame", "4", "--size", "8x6", "-o", "dark.png"]);
+    for way in ["fresh", "selective", "path", "series"] {
+        let frames = ["animate", "moving.toml", "--animation", way, "--probe", "points.csv"];
+        let [table, _] = done(folder, &[&frames[..], &["--transport", "exact"]].concat());
+        let light: Vec<f64> = table
+            .lines()
+            .skip(1)
+            .map(|line| line.rsplit(',').next().unwrap().parse().expect("a number"))
+            .collect();
+        for (k, light_of_frame) in light.iter().enumerate() {
+            let right = light[0] * (1.0 - 0.25 * k as f64);
+            assert!((light_of_frame - right).abs() <= 1e-9 * light[0], "{way} {k}: {light:?}");
+        }
+        assert_eq!(light[4], 0.0, "{way}");
+    }
+    done(folder, &["animate", "moving.toml", "--frames", "3..4", "--size", "8x6", "-o", "f-#.png"]);
+    let [text, _] = done(folder, &["check", "moving.toml"]);
+    assert!(text.contains("motion: fade dims floor, roof\n"), "{text}");
+    let json: serde_json::Value =
+        serde_json::from_str(&done(folder, &["check", "moving.toml", "--format", "json"])[0]).unwrap();
+    assert_eq!(json["animation"]["motions"][0]["dims"], true);
+    assert_eq!(json["animation"]["motions"][0]["moves"], false);
+    let [_, told] = done(folder, &["convert", "moving.toml", "x.obj"]);
+    assert!(told.contains("emission over time is left out"), "{told}");
+    fs::write(folder.join("moving.toml"), moving.replace("factors = [1, 0]", "factors = [1, -1]")).unwrap();
+    refused(folder, &["check", "moving.toml"], &["the factor is -1", "moving.toml:", "factor ≥ 0"]);
+}
+
 #[test]
 fn a_solution_keeps_its_frame() {
     let folder = folder(&[("moving.toml", squares(1.0, UP))]);

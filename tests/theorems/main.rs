@@ -11,6 +11,7 @@ mod collocation;
 mod comments;
 mod convergence;
 mod documents;
+mod emission_over_time;
 mod figures;
 mod flux;
 mod front_door;

@@ -68,7 +68,7 @@ fn indices(scene: &Scene, names: &[&str]) -> Vec<usize> {
 /// Where the path leads of a motion that is typed.
 fn pose(motion: &str, moment: f64) -> Pose {
     let scene = scene(&format!("[[motion]]\nsurfaces = [\"lamp\"]\n{motion}"));
-    scene.animation.as_ref().unwrap().poses(moment).unwrap()[0]
+    scene.animation.as_ref().unwrap().states(moment).unwrap()[0].pose
 }
 
 #[test]
@@ -161,7 +161,7 @@ fn frames_in_a_second_scale_times_but_not_paths() {
         typed(&text).animation.unwrap()
     };
     let by = |animation: &radiosity::scene::Animation, moment: f64| {
-        animation.poses(moment).unwrap()[0].point(DVec3::ZERO).x
+        animation.states(moment).unwrap()[0].pose.point(DVec3::ZERO).x
     };
     // Ten frames are two seconds.
     let timed = motion("translate = { points = [[0,0,0], [1,0,0]], times = [1, 2] }");
@@ -362,7 +362,7 @@ fn motions_that_make_no_sense_are_refused() {
         ),
         (
             "surfaces = [\"lamp\"]\nPATH\n[[motion]]\nsurfaces = [\"lamp\"]\nPATH",
-            "surface \"lamp\" moves already: with the motion \"motion-1\"",
+            "surface \"lamp\" belongs to the motion \"motion-1\" already",
             "take it out of one of the two",
         ),
         (

@@ -13,7 +13,7 @@ use serde_json::Value;
 const LANGUAGES: [&str; 3] = ["toml", "json", "csv"];
 
 /// Tables of keys, each under a heading, and a text with the key `xyzzy`, which is like no other in such a table.
-const TABLES: [(&str, &str); 15] = [
+const TABLES: [(&str, &str); 16] = [
     ("## The file", "xyzzy = 1"),
     ("## Materials", "[materials.wall]\nxyzzy = 1"),
     ("## Textures", "[materials.wall]\nreflectance = { xyzzy = 1 }"),
@@ -32,6 +32,7 @@ const TABLES: [(&str, &str); 15] = [
     ("## Motions", "[[motion]]\nxyzzy = 1"),
     ("## Motions", "[[motion]]\ntranslate = { xyzzy = 1 }"),
     ("## Motions", "[[motion]]\nrotate = { xyzzy = 1 }"),
+    ("## Motions", "[[motion]]\nemission = { xyzzy = 1 }"),
 ];
 
 fn document() -> String {

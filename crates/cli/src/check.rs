@@ -257,10 +257,11 @@ fn footprint_line(scene: &Scene, footprint: &Footprint) -> String {
     format!("{:.6} of {}, where {} stand", area, name(&footprint.surface), listed(&standing))
 }
 
-/// Lines on the animation: number of frames, and the things that move.
+/// Lines on the animation: number of frames, and the things that move or are dimmed.
 fn motion_lines(scene: &Scene) -> Vec<String> {
     let Some(Animation { frames, rate, movers, .. }) = &scene.animation else { return Vec::new() };
-    let motion = |mover: &Mover| format!("motion: {} moves {}", mover.name, listed(&moved(scene, mover)));
+    let motion =
+        |mover: &Mover| format!("motion: {} {} {}", mover.name, happens(mover), listed(&moved(scene, mover)));
     let head = match rate {
         1.0 => format!("frames: {frames}, 0 to {}", frames - 1),
         rate => format!("frames: {frames}, 0 to {}, {rate} in a unit of time", frames - 1),
@@ -268,7 +269,16 @@ fn motion_lines(scene: &Scene) -> Vec<String> {
     [head].into_iter().chain(movers.iter().map(motion)).collect()
 }
 
-/// The names of all that a mover moves.
+/// The verb for a mover.
+fn happens(mover: &Mover) -> &'static str {
+    match (mover.has_path(), mover.emission.is_some()) {
+        (true, true) => "moves and dims",
+        (false, true) => "dims",
+        (_, false) => "moves",
+    }
+}
+
+/// The names of all that a mover moves or dims.
 fn moved<'a>(scene: &'a Scene, mover: &Mover) -> Vec<&'a str> {
     let surfaces = mover.surfaces.iter().map(|index| scene.surfaces[*index].name.as_str());
     let luminaires = mover.luminaires.iter().map(|index| scene.luminaires[*index].name.as_str());
@@ -282,7 +292,7 @@ fn motion_json(scene: &Scene, inspection: &Inspection) -> Option<Value> {
         let luminaires = mover.luminaires.iter().map(|index| scene.luminaires[*index].name.as_str());
         json!({
             "name": mover.name, "surfaces": surfaces.collect::<Vec<_>>(), "luminaires": luminaires.collect::<Vec<_>>(),
-            "camera": mover.camera,
+            "camera": mover.camera, "moves": mover.has_path(), "dims": mover.emission.is_some(),
         })
     };
     let passage =

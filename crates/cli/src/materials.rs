@@ -49,7 +49,8 @@ pub(crate) fn as_json(scene: &Scene) -> Value {
 
 /// The materials of the surfaces by name.
 fn materials(scene: &Scene) -> BTreeMap<&str, &Material> {
-    let named = |own: &&SceneSurface| own.radiance.is_none() && own.flux.is_none();
+    let named =
+        |own: &&SceneSurface| own.radiance.is_none() && own.flux.is_none() && own.emission_factors.is_none();
     // Of surfaces that emit otherwise than their material, the material is told where others have it.
     let (plain, others): (Vec<_>, Vec<_>) = scene.surfaces.iter().partition(named);
     let all = others.into_iter().chain(plain);

@@ -34,7 +34,7 @@ use thermal::{ConditionFile, EMISSIVITY};
 
 pub(super) use luminaire::{ExtentFile, LuminaireFile};
 pub(super) use mask::MaskFile;
-pub(super) use motion::{MotionFile, RotateFile, TranslateFile};
+pub(super) use motion::{EmissionFile, MotionFile, RotateFile, TranslateFile};
 pub(super) use part::{Content, CopyRow, InstanceFile, PartFile, RowsFile};
 pub(super) use pattern::{Amount, EachBand, PatternFile, PatternKind};
 pub(super) use per_band::PerBand;
@@ -77,7 +77,7 @@ keys! {
         surfaces: Vec<SurfaceFile> = ListOfTables::of("surface"), "The surfaces";
         luminaires: Vec<LuminaireFile> = ListOfTables::of("luminaire"), "Lamps by their intensity in each direction";
         instances: Vec<InstanceFile> = INSTANCES, "Instances of parts";
-        motion: Vec<MotionFile> = ListOfTables::of("motion"), "What moves, each along a path";
+        motion: Vec<MotionFile> = ListOfTables::of("motion"), "What moves or is dimmed, each along a path";
         masks: Vec<MaskFile> = ListOfTables { kind: "mask", called_after: Some("receiver") },
             "Pairs of surfaces whose light is masked with --shadows mask";
     }
@@ -181,8 +181,8 @@ fn check_material(own: &MaterialFile, fields: &GivenFields<'_>) -> Result<(), Lo
 }
 
 impl SceneFile {
-    /// Whether every reflectance, transmittance, emission, flux and intensity is a single number, or a
-    /// pattern alike in all bands.
+    /// Whether every reflectance, transmittance, emission, flux, intensity and factor over time is a single
+    /// number, or a pattern alike in all bands.
     pub(super) fn is_grey(&self) -> bool {
         let materials = || self.materials.iter().map(|own| &own.file);
         let mut amounts = materials().flat_map(|own| own.reflectance.iter().chain([&own.emission]));
@@ -195,7 +195,9 @@ impl SceneFile {
         let skies = self.sky.iter().flat_map(|sky| {
             [&sky.illuminance].into_iter().chain(sky.sun.as_ref().map(|sun| &sun.illuminance))
         });
-        let mut numbers = transmittances.chain(fluxes).chain(skies);
+        let tracks = self.motion.iter().filter_map(|own| own.emission.as_ref());
+        let factors = tracks.flat_map(|own| &own.value.factors.value);
+        let mut numbers = transmittances.chain(fluxes).chain(skies).chain(factors);
         numbers.all(PerBand::is_one_number) && amounts.all(Amount::is_one_for_all)
     }
 

@@ -4,17 +4,20 @@ use std::sync::Arc;
 
 use radiosity_geom::DVec3;
 use radiosity_scene::{
-    Animation, AxisAngle, Clock, Fault, FaultKind, MoverDraft, RigidPath, Source, TimeFunction, Turn,
+    Animation, AxisAngle, Clock, EmissionTrack, Fault, FaultKind, Luminaire, MoverDraft, RigidPath,
+    SceneSurface, Source, TimeFunction, Turn,
     error::{Located, title},
     member_names::{MemberNames, NamedMember},
     mover_draft::{MovableThings, MoverPlaces, movers},
     place::{At, Span},
-    surfaces::Maker,
+    ranges::check_factor,
+    surfaces::{Maker, emitting},
 };
 
 use crate::{
-    file::{MotionFile, RotateFile, SceneFile, TranslateFile},
+    file::{EmissionFile, MotionFile, RotateFile, SceneFile, TranslateFile},
     instances::{PlacedLuminaire, PlacedSurface},
+    validation::spread,
 };
 
 /// The animation of a scene file; none if nothing is said of one.
@@ -40,49 +43,74 @@ pub(super) fn animation(
     let rate = fps.as_ref().map_or(1.0, |rate| rate.value);
     let clock = Clock::new(count.value, rate).map_err(|fault| Located::at(&count.span, fault))?;
     let drafts = motions.iter().map(|motion| {
-        draft(motion, clock, source).map_err(|error| error.within(|| title("motion", &motion.name.value)))
+        draft(motion, clock, movable.bands, source)
+            .map_err(|error| error.within(|| title("motion", &motion.name.value)))
     });
     movers(drafts.collect::<Result<_, _>>()?, clock, movable).map(Some)
 }
 
-/// Surfaces, luminaires and the camera that motions may move, with the names of surfaces, of entries and of
-/// instances.
-pub(super) fn movable(
-    surfaces: &[PlacedSurface<'_>],
-    makers: &[Maker],
-    luminaires: &[PlacedLuminaire<'_>],
-    camera: bool,
-) -> MovableThings {
-    let of_luminaire =
-        |own: &PlacedLuminaire<'_>| MemberNames::named([own.name.clone()]).within(Arc::clone(&own.instances));
-    let luminaires: Vec<MemberNames> = luminaires.iter().map(of_luminaire).collect();
-    let of_surface = |Maker { draft, front }: &Maker| match surfaces.get(*draft) {
-        Some(PlacedSurface { name, instances, .. }) => {
-            MemberNames::named([front.clone(), name.clone()]).within(Arc::clone(instances))
-        }
-        None => MemberNames::of_area(front, &luminaires),
-    };
-    MovableThings { surfaces: makers.iter().map(of_surface).collect(), luminaires, camera }
+/// The surfaces and luminaires of a scene, as they are placed and as they are made.
+#[derive(Clone, Copy)]
+pub(super) struct MadeThings<'a> {
+    pub placed: &'a [PlacedSurface<'a>],
+    /// Maker of each of the `surfaces`.
+    pub makers: &'a [Maker],
+    pub surfaces: &'a [SceneSurface],
+    pub placed_luminaires: &'a [PlacedLuminaire<'a>],
+    pub luminaires: &'a [Luminaire],
 }
 
-fn draft(file: &MotionFile, clock: Clock, source: &Source) -> Result<MoverDraft, Located> {
+/// Surfaces, luminaires and the camera that motions may move, with the names of surfaces, of entries and of
+/// instances.
+pub(super) fn movable(made: &MadeThings<'_>, bands: usize, camera: bool) -> MovableThings {
+    let MadeThings { placed, makers, surfaces, placed_luminaires, luminaires } = *made;
+    let of_luminaire = |(own, lamp): (&PlacedLuminaire<'_>, &Luminaire)| {
+        let named = MemberNames::named([own.name.clone()]).within(Arc::clone(&own.instances));
+        named.in_group(lamp.group.as_ref())
+    };
+    let lamps: Vec<MemberNames> = placed_luminaires.iter().zip(luminaires).map(of_luminaire).collect();
+    let of_surface = |(Maker { draft, front }, own): (&Maker, &SceneSurface)| match placed.get(*draft) {
+        Some(PlacedSurface { name, instances, .. }) => {
+            let named = MemberNames::named([front.clone(), name.clone()]).within(Arc::clone(instances));
+            named.in_group(own.group.as_ref())
+        }
+        None => MemberNames::of_area(front, &lamps),
+    };
+    MovableThings {
+        surfaces: makers.iter().zip(surfaces).map(of_surface).collect(),
+        luminaires: lamps,
+        emitting: emitting(surfaces, luminaires),
+        bands,
+        camera,
+    }
+}
+
+fn draft(file: &MotionFile, clock: Clock, bands: usize, source: &Source) -> Result<MoverDraft, Located> {
     let chosen = |names: &[At<String>]| -> Vec<NamedMember> {
         names
             .iter()
             .map(|name| NamedMember { name: name.value.clone(), span: Some(name.span.clone()) })
             .collect()
     };
-    let draft = MoverDraft::new(&file.name.value, path(file, clock)?);
+    let path = path(file, clock)?;
+    let emission = file.emission.as_ref().map(|own| track(&own.value, clock, bands)).transpose()?;
+    if path == RigidPath::REST && emission.is_none() {
+        return Err(Located::at(&file.span, no_path()));
+    }
+    let draft = MoverDraft::new(&file.name.value, path);
+    let draft = emission.into_iter().fold(draft, MoverDraft::emission);
     let typed = MoverPlaces {
         place: source.place(&file.span),
         span: file.span.clone(),
         name: file.name.span.clone(),
         name_line: source.line(file.name.span.start),
+        emission: file.emission.as_ref().map(|own| own.span.clone()),
     };
     Ok(draft
         .surfaces(chosen(&file.surfaces))
         .instances(chosen(&file.instances))
         .luminaires(chosen(&file.luminaires))
+        .groups(chosen(&file.groups))
         .camera_at(file.camera.as_ref().filter(|moves| moves.value).map(|moves| moves.span.clone()))
         .typed(typed))
 }
@@ -94,7 +122,7 @@ fn path(file: &MotionFile, clock: Clock) -> Result<RigidPath, Located> {
         (Some(turn), Some(shift)) => Ok(RigidPath::turning_along(turn, shift)),
         (Some(turn), None) => Ok(RigidPath::turning(turn)),
         (None, Some(shift)) => Ok(RigidPath::along(shift)),
-        (None, None) => Err(Located::at(&file.span, no_path())),
+        (None, None) => Ok(RigidPath::REST),
     }
 }
 
@@ -102,8 +130,16 @@ fn no_path() -> Fault {
     Fault::absent(
         "nothing says how it moves",
         "add translate = { points = [[0, 0, 0], [1, 0, 0]] }, rotate = { center = [0, 0, 2], axis = [0, 0, 1], angles = \
-         [0, 90] }, or both",
+         [0, 90] } or emission = { factors = [1, 0] }, or several of them",
     )
+}
+
+fn track(file: &EmissionFile, clock: Clock, bands: usize) -> Result<EmissionTrack, Located> {
+    let EmissionFile { factors, times, curve } = file;
+    let of_time = |own| spread(own, bands, "the list of factors of a time", check_factor);
+    let typed = factors.value.iter().map(of_time).collect::<Result<Vec<Vec<f64>>, _>>()?;
+    let track = EmissionTrack::new(&typed, given(times, typed.len(), clock), *curve);
+    track.map_err(|fault| located(fault, times, &factors.span))
 }
 
 fn shift(file: &TranslateFile, clock: Clock) -> Result<TimeFunction<DVec3>, Located> {

@@ -19,6 +19,7 @@ use crate::include::{self, FileTree};
 use crate::keys::KeyTable;
 use crate::language::Language;
 use crate::merging::merged;
+use crate::motions::MadeThings;
 use crate::variables::{VARIABLES, Variables};
 use crate::{input, instances, luminaires, motions, validation};
 
@@ -204,12 +205,15 @@ fn assemble(mut file: SceneFile, variables: Vec<(String, f64)>, source: &Source)
     let drafts = validation::surfaces(&surfaces, &materials, sky.as_ref(), bands.len(), source);
     let Surfaces { list, makers, middle, fitted } =
         fitted_surfaces(drafts.chain(luminous.into_iter().map(Ok)), source.tolerance)?;
-    if let (Some(sky), false) = (&file.sky, list.iter().any(SceneSurface::is_opening)) {
-        let cure = "give a window opening = true, its front to the room, or leave the sky out";
-        let fault = Fault::absent("no surface is an opening to the sky", cure);
-        return Err(Located::at(&sky.span, fault).within(|| "sky".into()));
-    }
-    let movable = motions::movable(&surfaces, &makers, &lamps, file.camera.is_some());
+    check_openings(&file, &list)?;
+    let made = MadeThings {
+        placed: &surfaces,
+        makers: &makers,
+        surfaces: &list,
+        placed_luminaires: &lamps,
+        luminaires: &luminaires,
+    };
+    let movable = motions::movable(&made, bands.len(), file.camera.is_some());
     let masks = masked_pairs(file.masks.iter().map(validation::mask).collect(), &movable.surfaces)?;
     let animation = motions::animation(&file, &movable, source)?;
     let camera = file.camera.map(validation::camera).transpose()?;
@@ -227,6 +231,16 @@ fn assemble(mut file: SceneFile, variables: Vec<(String, f64)>, source: &Source)
     scene.origin = source.origin.to_string();
     scene.source = Some(source.clone());
     Ok(scene)
+}
+
+/// Refuses a sky that no surface is an opening to.
+fn check_openings(file: &SceneFile, surfaces: &[SceneSurface]) -> Result<(), Located> {
+    let Some(sky) = file.sky.as_ref().filter(|_| !surfaces.iter().any(SceneSurface::is_opening)) else {
+        return Ok(());
+    };
+    let cure = "give a window opening = true, its front to the room, or leave the sky out";
+    let fault = Fault::absent("no surface is an opening to the sky", cure);
+    Err(Located::at(&sky.span, fault).within(|| "sky".into()))
 }
 
 /// `rooms/desk.toml` → `desk`, `<stdin>` → `stdin`.

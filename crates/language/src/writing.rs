@@ -84,8 +84,11 @@ fn exported(
     if !scene.luminaires.is_empty() {
         model.note("luminaires are left out", None);
     }
-    if scene.animation.is_some() {
+    if let Some(animation) = &scene.animation {
         model.note("motions are left out: everything is at rest", None);
+        if animation.movers.iter().any(|mover| mover.emission.is_some()) {
+            model.note("emission over time is left out: everything shines as at rest", None);
+        }
     }
     if !scene.masks.is_empty() {
         model.note("chosen shadow masks are left out", None);

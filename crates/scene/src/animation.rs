@@ -1,15 +1,16 @@
-//! Animations: frames, and movers that each follow a path.
+//! Animations: frames, and movers that each follow a path, and may change what they emit.
 //!
 //! Frame k, counted from 0, shows the time k over the frames in a unit of time. A moment is a real number of
-//! frames, from 0 to the last frame: also what is between two frames has a pose.
+//! frames, from 0 to the last frame: also what is between two frames has a state.
 
 use radiosity_geom::DVec3;
 
 use crate::{
+    emission_track::EmissionTrack,
     fault::{Fault, FaultKind, shown},
+    mover_state::MoverState,
     path::RigidPath,
     place::Place,
-    pose::Pose,
     ranges::check_range,
 };
 
@@ -24,11 +25,12 @@ pub struct Animation {
     pub frames: usize,
     /// Frames in a unit of time, > 0; 1 where times count frames.
     pub rate: f64,
-    /// Movers, each along its own path, in the order of the file.
+    /// Movers, each with its own path, in the order of the file.
     pub movers: Vec<Mover>,
 }
 
-/// Surfaces, luminaires and camera that move together along one path.
+/// Surfaces, luminaires and camera that move together along one path; what the surfaces and luminaires emit
+/// may change alike.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct Mover {
@@ -42,6 +44,8 @@ pub struct Mover {
     pub camera: bool,
     /// Its path by time, in the coordinates that the scene is computed in.
     pub path: RigidPath,
+    /// Factors on what its surfaces and luminaires emit, by time; none where that stays.
+    pub emission: Option<EmissionTrack>,
     /// Its place in the file; none if it was made in code.
     pub place: Option<Place>,
 }
@@ -84,26 +88,40 @@ impl Animation {
         self
     }
 
-    /// The moments at which a path may bend, ascending, in frames.
+    /// The moments at which a path, or what is emitted over time, may bend, ascending, in frames.
     pub fn bends(&self) -> Vec<f64> {
-        let times = self.movers.iter().flat_map(|mover| mover.path.times());
+        let of_emission = |own: &Mover| own.emission.as_ref().map_or_else(Vec::new, EmissionTrack::times);
+        let times = self.movers.iter().flat_map(|own| [own.path.times(), of_emission(own)].concat());
         let mut moments: Vec<f64> = times.map(|time| time * self.rate).collect();
         moments.sort_by(f64::total_cmp);
         moments.dedup();
         moments
     }
 
-    /// The poses of all movers at a moment.
+    /// The states of all movers at a moment.
     ///
     /// # Errors
     /// [`FaultKind::OutOfRange`] for a moment that is not from 0 to the last frame.
-    pub fn poses(&self, moment: f64) -> Result<Vec<Pose>, Fault> {
+    pub fn states(&self, moment: f64) -> Result<Vec<MoverState>, Fault> {
         let last = self.frames - 1;
         if !(0.0..=last as f64).contains(&moment) {
             let cause = format!("there is no frame {}: frames are counted from 0 to {last}", shown(moment));
             return Err(Fault::new(FaultKind::OutOfRange, cause, format!("choose one from 0 to {last}")));
         }
-        Ok(self.movers.iter().map(|mover| mover.path.pose(moment / self.rate)).collect())
+        Ok(self.movers.iter().map(|mover| mover.state(moment / self.rate)).collect())
+    }
+}
+
+impl Mover {
+    /// Whether it moves at all, or what it emits alone changes.
+    pub fn has_path(&self) -> bool {
+        !self.path.is_rest()
+    }
+
+    /// Its state at a time.
+    fn state(&self, time: f64) -> MoverState {
+        let factors = self.emission.as_ref().map_or_else(Vec::new, |own| own.factors(time));
+        MoverState { pose: self.path.pose(time), factors }
     }
 }
 
@@ -137,14 +155,16 @@ mod tests {
                 luminaires: Vec::new(),
                 camera: false,
                 path,
+                emission: None,
                 place: None,
             };
             let animation = Animation::new(clock, vec![mover]);
-            assert!(animation.poses(0.0).unwrap()[0].is_rest());
-            assert_eq!(animation.poses((frames - 1) as f64).unwrap()[0].point(DVec3::ZERO), 3.0 * DVec3::X);
+            let pose = |moment: f64| animation.states(moment).unwrap()[0].pose;
+            assert!(pose(0.0).is_rest());
+            assert_eq!(pose((frames - 1) as f64).point(DVec3::ZERO), 3.0 * DVec3::X);
             let last = format!("frames are counted from 0 to {}", frames - 1);
             for moment in [-1.0, f64::NAN, frames as f64] {
-                let fault = animation.poses(moment).unwrap_err();
+                let fault = animation.states(moment).unwrap_err();
                 assert!(fault.kind == FaultKind::OutOfRange && fault.to_string().ends_with(&last), "{fault}");
             }
         }

@@ -22,7 +22,7 @@ use crate::{
     names::{UniqueNames, check_text},
     sensor_plane::SensorPlane,
     surface_draft::{NamedShape, SurfaceDraft},
-    surfaces::{Surfaces, fitted_surfaces},
+    surfaces::{Surfaces, emitting, fitted_surfaces},
     thermal::Thermal,
     unit::{self, check_unit},
 };
@@ -196,13 +196,21 @@ impl SceneBuilder {
         let luminous = luminous.collect::<Result<Vec<_>, _>>()?;
         let drafts = drafts.into_iter().chain(luminous.into_iter().flatten());
         let Surfaces { list, makers, middle, fitted } = fitted_surfaces(drafts.map(Ok), self.tolerance)?;
-        let lamps = self.luminaires.iter().map(|own| MemberNames::named([own.name.clone()]));
-        let lamps: Vec<MemberNames> = lamps.collect();
-        let own = makers.iter().map(|own| match entries.get(own.draft) {
-            Some(entry) => MemberNames::named([own.front.clone(), entry.clone()]),
+        let lamp = |own: &Luminaire| MemberNames::named([own.name.clone()]).in_group(own.group.as_ref());
+        let lamps: Vec<MemberNames> = self.luminaires.iter().map(lamp).collect();
+        let own = makers.iter().zip(&list).map(|(own, surface)| match entries.get(own.draft) {
+            Some(entry) => {
+                MemberNames::named([own.front.clone(), entry.clone()]).in_group(surface.group.as_ref())
+            }
             None => MemberNames::of_area(&own.front, &lamps),
         });
-        let movable = MovableThings { surfaces: own.collect(), luminaires: lamps, camera: camera.is_some() };
+        let movable = MovableThings {
+            surfaces: own.collect(),
+            emitting: emitting(&list, &self.luminaires),
+            bands: self.bands.len(),
+            camera: camera.is_some(),
+            luminaires: lamps,
+        };
         let masks = masked_pairs(self.masks, &movable.surfaces)?;
         let animation = animation(self.clock, self.movers, &movable)?;
         Ok(Scene {

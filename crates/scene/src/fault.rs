@@ -229,6 +229,14 @@ impl Fault {
         Self::conflict(cause, "rename one of them in the scene")
     }
 
+    /// An unknown light group; `more` follows in the cure where there are none.
+    pub(crate) fn unknown_group(cause: String, name: &str, known: Vec<String>, more: &str) -> Self {
+        let none = format!(
+            "this scene has no light groups: give surfaces that emit, or their material, group = {name:?}{more}"
+        );
+        Self::unknown_or(cause, name, known, "light groups of this scene", none)
+    }
+
     /// The things `what` within things, more than `most` levels.
     pub fn too_deep(what: &str, most: usize) -> Self {
         let cause = format!("{what} are nested more than {most} deep");
@@ -259,7 +267,7 @@ impl Fault {
     pub fn nothing_moves() -> Self {
         Self::absent(
             "nothing moves",
-            "say what moves: [[motion]] with surfaces = [\"lamp\"], instances, luminaires or camera = true; or leave \
+            "say what moves: [[motion]] with surfaces = [\"lamp\"], instances, luminaires, groups or camera = true; or leave \
              frames and motions out",
         )
     }

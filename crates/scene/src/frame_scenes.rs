@@ -1,31 +1,21 @@
-//! Still scenes of frames and moments.
+//! Still scenes of frames, of moments and of states that nobody knew in advance.
 //!
-//! Shapes are fitted together once, at rest, and then moved: each frame starts from rest, so nothing drifts.
-//! Where a moved flat sheet comes into the plane of another one, it is set apart from it, as at rest; what
-//! did not move stays where it is. So a surface that does not move, or whose pose is that of rest, is the
-//! same to the bit in every frame; there are as many surfaces in each, in the same order, with the same names
-//! and parameters. Of scenes made one after the other ([`FrameScenes`]), surfaces that are where they were in
-//! the one before are the same ones in memory, too.
+//! Each is made from rest, whatever came before ([`still_scene`](crate::still_scene)). Of scenes made one after
+//! the other ([`FrameScenes`]), surfaces that are where they were in the one before are the same ones in memory,
+//! too.
 
 use std::sync::Arc;
 
-use radiosity_fit::{
-    coincident::Occupied,
-    gap,
-    stacked::{Sheet, Step, steps},
-};
-use radiosity_geom::{Aabb, COINCIDENT, DQuat, Motion, Placed, Rect, Surface};
+use radiosity_geom::Surface;
 
 use crate::{
     Scene,
-    animation::Animation,
-    camera::Camera,
+    animation::{Animation, Mover},
     error::{SceneError, title},
-    fault::{Fault, FaultKind, shown},
-    fitted::LiesOn,
-    pose::Pose,
-    radiance::Radiance,
+    fault::Fault,
+    mover_state::MoverState,
     source::Source,
+    still_scene::{Placement, StillScene},
     surface::SceneSurface,
 };
 
@@ -44,9 +34,6 @@ struct PlacedShape {
     shape: Arc<dyn Surface>,
 }
 
-/// Motions that a surface was moved by from rest, as bits: by its mover, and off another sheet.
-type Placement = Vec<[u64; 13]>;
-
 impl<'a> FrameScenes<'a> {
     /// The still scenes of `scene`, of which none is made yet.
     pub fn of(scene: &'a Scene) -> Self {
@@ -63,8 +50,32 @@ impl<'a> FrameScenes<'a> {
     /// # Errors
     /// As [`Scene::at_moment`].
     pub fn at(&mut self, moment: f64) -> Result<Scene, SceneError> {
-        let (mut still, placements) = self.scene.placed_at(moment)?;
-        let shapes = still.surfaces.iter_mut().map(|surface| &mut surface.shape);
+        let still = self.scene.still_at(moment)?;
+        Ok(self.remembered(still))
+    }
+
+    /// The still scene in which the movers have these states, one for each in the order of
+    /// [`Animation::movers`], whatever their paths and times say. It has the name of the scene, and neither a
+    /// [`Scene::source`] nor a [`Scene::animation`].
+    ///
+    /// # Errors
+    /// [`FaultKind::Absent`](crate::FaultKind::Absent) for a scene without motions and for factors on what does
+    /// not emit; [`FaultKind::WrongCount`](crate::FaultKind::WrongCount) of states, or of factors in one; a
+    /// factor below 0 or not finite; [`FaultKind::OutOfRange`](crate::FaultKind::OutOfRange) for a surface too
+    /// far away, [`FaultKind::Coincident`](crate::FaultKind::Coincident) where a surface that moves lies in
+    /// another one.
+    pub fn placed(&mut self, states: &[MoverState]) -> Result<Scene, SceneError> {
+        let animation = self.scene.moving(no_movers)?;
+        self.scene.check_states(animation, states)?;
+        let mut still = self.scene.placed(animation, states, None)?;
+        still.scene.source = None;
+        Ok(self.remembered(still))
+    }
+
+    /// The still scene with the surfaces in memory that it shares with the one before; it is the one before
+    /// from now on.
+    fn remembered(&mut self, StillScene { mut scene, placements }: StillScene) -> Scene {
+        let shapes = scene.surfaces.iter_mut().map(|surface| &mut surface.shape);
         for ((shape, placement), before) in shapes.zip(&placements).zip(&self.before) {
             if *placement == before.placement {
                 *shape = Arc::clone(&before.shape);
@@ -74,8 +85,8 @@ impl<'a> FrameScenes<'a> {
             placement,
             shape: Arc::clone(&surface.shape),
         };
-        self.before = placements.into_iter().zip(&still.surfaces).map(placed).collect();
-        Ok(still)
+        self.before = placements.into_iter().zip(&scene.surfaces).map(placed).collect();
+        scene
     }
 }
 
@@ -97,41 +108,20 @@ impl Scene {
     /// and its [`Scene::animation`] is none.
     ///
     /// # Errors
-    /// [`FaultKind::Absent`] for a scene without motions, [`FaultKind::OutOfRange`] for a frame there is not and
-    /// for a surface too far away, [`FaultKind::Coincident`] where a surface that moves lies in another one.
+    /// [`FaultKind::Absent`](crate::FaultKind::Absent) for a scene without motions,
+    /// [`FaultKind::OutOfRange`](crate::FaultKind::OutOfRange) for a frame there is not and for a surface too
+    /// far away, [`FaultKind::Coincident`](crate::FaultKind::Coincident) where a surface that moves lies in
+    /// another one.
     pub fn at_moment(&self, moment: f64) -> Result<Self, SceneError> {
-        Ok(self.placed_at(moment)?.0)
+        Ok(self.still_at(moment)?.scene)
     }
 
-    /// The still scene at a moment, with the motions that each surface was moved by.
-    fn placed_at(&self, moment: f64) -> Result<(Self, Vec<Placement>), SceneError> {
-        let (animation, poses) = self.posed(moment)?;
-        let movers = self.moved_by(animation, &poses);
-        let mut still = Self { animation: None, ..self.clone() };
-        still.name = format!("{}-{moment}", self.name);
-        still.source = still.source.map(|source| source.at(moment));
-        let mut placements: Vec<Placement> = vec![Vec::new(); movers.len()];
-        let moved = movers.iter().enumerate().filter_map(|(index, mover)| Some((index, poses[(*mover)?])));
-        for (index, pose) in moved {
-            let surface = &mut still.surfaces[index];
-            put(surface, pose.motion());
-            placements[index].push(pose.motion().bits());
-            turn_radiance(surface, &pose);
-        }
-        for (index, off) in still.set_apart(&movers) {
-            placements[index].push(off.bits());
-        }
-        for (mover, pose) in animation.movers.iter().zip(&poses).filter(|(_, pose)| !pose.is_rest()) {
-            for index in &mover.luminaires {
-                let own = &mut still.luminaires[*index];
-                *own = own.clone().moved(pose.motion());
-            }
-            if mover.camera {
-                still.camera = still.camera.map(|camera| seen_from(camera, pose));
-            }
-        }
-        still.check_clear(&movers, moment)?;
-        Ok((still, placements))
+    fn still_at(&self, moment: f64) -> Result<StillScene, SceneError> {
+        let (animation, states) = self.states_at(moment)?;
+        let mut still = self.placed(animation, &states, Some(moment))?;
+        still.scene.name = format!("{}-{moment}", self.name);
+        still.scene.source = still.scene.source.map(|source| source.at(moment));
+        Ok(still)
     }
 
     /// The still scene at the moment that the source states, or this scene if it states none.
@@ -146,105 +136,53 @@ impl Scene {
     /// rest.
     ///
     /// # Errors
-    /// [`FaultKind::Absent`] for a scene without motions, [`FaultKind::OutOfRange`] for a frame there is not.
+    /// [`FaultKind::Absent`](crate::FaultKind::Absent) for a scene without motions,
+    /// [`FaultKind::OutOfRange`](crate::FaultKind::OutOfRange) for a frame there is not.
     pub fn movers_at(&self, frame: usize) -> Result<Vec<Option<usize>>, SceneError> {
-        let (animation, poses) = self.posed(frame as f64)?;
-        Ok(self.moved_by(animation, &poses))
+        let (animation, states) = self.states_at(frame as f64)?;
+        Ok(self.moved_by(animation, &states))
     }
 
-    /// The animation, and the poses of its movers at a moment.
-    fn posed(&self, moment: f64) -> Result<(&Animation, Vec<Pose>), SceneError> {
-        let error = |fault| SceneError::of(&self.origin, fault);
-        let animation = self.animation.as_ref().ok_or_else(|| error(no_frames()))?;
-        Ok((animation, animation.poses(moment).map_err(error)?))
+    /// The animation, and the states of its movers at a moment.
+    fn states_at(&self, moment: f64) -> Result<(&Animation, Vec<MoverState>), SceneError> {
+        let animation = self.moving(no_frames)?;
+        let states = animation.states(moment);
+        Ok((animation, states.map_err(|fault| SceneError::of(&self.origin, fault))?))
     }
 
-    /// For each surface the index of its mover, if that is not at rest.
-    fn moved_by(&self, animation: &Animation, poses: &[Pose]) -> Vec<Option<usize>> {
-        let mut movers = vec![None; self.surfaces.len()];
-        let moving = animation.movers.iter().enumerate().filter(|(index, _)| !poses[*index].is_rest());
-        for (index, mover) in moving {
-            mover.surfaces.iter().for_each(|surface| movers[*surface] = Some(index));
+    /// The animation; the fault that it is `absent` without one.
+    fn moving(&self, absent: fn() -> Fault) -> Result<&Animation, SceneError> {
+        self.animation.as_ref().ok_or_else(|| SceneError::of(&self.origin, absent()))
+    }
+
+    /// Refuses another number of states than of movers, and factors that cannot be, or that nothing takes.
+    fn check_states(&self, animation: &Animation, states: &[MoverState]) -> Result<(), SceneError> {
+        let movers = &animation.movers;
+        if states.len() != movers.len() {
+            let expected = format!("{}, one for each mover", movers.len());
+            let fault = Fault::wrong_count("the list of states", &expected, states.len());
+            return Err(SceneError::of(&self.origin, fault));
         }
-        movers
-    }
-
-    /// Moves moved flat sheets off those in whose plane they lie; returns the surfaces moved, by index, and
-    /// their motions.
-    fn set_apart(&mut self, movers: &[Option<usize>]) -> Vec<(usize, Motion)> {
-        let fronts: Vec<usize> =
-            (0..self.surfaces.len()).filter(|index| self.is_flat_front(*index)).collect();
-        let mut moved = Vec::new();
-        if fronts.iter().all(|index| movers[*index].is_none()) {
-            return moved;
-        }
-        let sheets: Vec<Sheet> = fronts.iter().map(|index| self.sheet(*index, movers)).collect();
-        self.fitted.lying.retain(|own| may_lie(&sheets, own));
-        for Step { sheet, on, by } in steps(&sheets) {
-            let off = Motion::rigid(DQuat::IDENTITY, by);
-            let front = fronts[sheet];
-            let sides = if self.has_back(front) { front..front + 2 } else { front..front + 1 };
-            for side in sides {
-                put(&mut self.surfaces[side], &off);
-                moved.push((side, off));
+        let check = |(mover, state): (&Mover, &MoverState)| {
+            state.check(self.bands.len())?;
+            match state.is_dimmed() && !self.shines(mover) {
+                true => Err(takes_no_factors()),
+                false => Ok(()),
             }
-            let name = |sheet: usize| sheets[sheet].name.clone();
-            self.fitted.lying.push(LiesOn { surface: name(sheet), on: name(on) });
-        }
-        moved
+        };
+        movers.iter().zip(states).try_for_each(|(mover, state)| {
+            check((mover, state)).map_err(|fault| SceneError {
+                place: mover.place.clone().map(Box::new),
+                owner: Some(title("motion", &mover.name)),
+                ..SceneError::of(&self.origin, fault)
+            })
+        })
     }
 
-    fn sheet(&self, index: usize, movers: &[Option<usize>]) -> Sheet {
-        let SceneSurface { name, shape, .. } = &self.surfaces[index];
-        Sheet {
-            shape: Arc::clone(shape),
-            typed: Arc::clone(shape),
-            two_sided: self.has_back(index),
-            flip: false,
-            stays: movers[index].is_none(),
-            name: name.clone(),
-        }
-    }
-
-    /// Whether the surface after this one is its back.
-    fn has_back(&self, index: usize) -> bool {
-        let name = &self.surfaces[index].name;
-        let next = self.surfaces.get(index + 1);
-        next.is_some_and(|next| next.name.strip_suffix(":back") == Some(name.as_str()))
-    }
-
-    fn is_flat_front(&self, index: usize) -> bool {
-        let is_back = index > 0 && self.has_back(index - 1);
-        !is_back && self.surfaces[index].shape.region().is_some()
-    }
-
-    /// Refuses a moved surface that lies in one that is not moved along, or that is far away.
-    fn check_clear(&self, movers: &[Option<usize>], moment: f64) -> Result<(), SceneError> {
-        let occupied: Vec<Occupied> =
-            self.surfaces.iter().map(|surface| Occupied::new(&surface.shape)).collect();
-        for own in (0..movers.len()).filter(|index| movers[*index].is_some()) {
-            let bounds = self.surfaces[own].shape.bounds(&Rect::FULL);
-            let distance = bounds.min.abs().max(bounds.max.abs()).max_element();
-            if distance * f64::EPSILON > COINCIDENT * bounds.diagonal() {
-                return Err(self.refused(own, moves_away(distance, moment)));
-            }
-            let mut others = (0..movers.len()).filter(|other| movers[*other] != movers[own]);
-            if let Some(other) = others.find(|other| occupied[own].coincides(&occupied[*other])) {
-                return Err(self.refused(own, moves_into(&self.surfaces[other].name, moment)));
-            }
-        }
-        Ok(())
-    }
-
-    /// A fault of a surface, at its place.
-    fn refused(&self, surface: usize, fault: Fault) -> SceneError {
-        let surface = &self.surfaces[surface];
-        SceneError {
-            origin: self.origin.clone(),
-            place: surface.place.clone().map(Box::new),
-            owner: Some(title("surface", &surface.name)),
-            fault,
-        }
+    /// Whether a mover has a surface or a luminaire that emits.
+    fn shines(&self, mover: &Mover) -> bool {
+        mover.surfaces.iter().any(|index| self.surfaces[*index].is_source())
+            || mover.luminaires.iter().any(|index| self.luminaires[*index].is_source())
     }
 }
 
@@ -253,57 +191,12 @@ fn no_frames() -> Fault {
     Fault::absent("a frame is asked for, yet nothing moves in the scene", cure)
 }
 
-fn moves_away(distance: f64, moment: f64) -> Fault {
-    let moment = shown(moment);
-    let cause = format!("in frame {moment} it is {distance:.1e} away from the origin, too far for its size");
-    let cure = "keep the path near the scene: beyond four million times its size a shape has too few digits";
-    Fault::new(FaultKind::OutOfRange, cause, cure)
+fn no_movers() -> Fault {
+    let cure = "add frames = 1 and a [[motion]] for each thing that is placed";
+    Fault::absent("movers are placed, yet nothing moves in the scene", cure)
 }
 
-fn moves_into(other: &str, moment: f64) -> Fault {
-    let cause = format!("in frame {} it coincides with surface {other:?}", shown(moment));
-    let cure = format!(
-        "lead the path a millionth of its size or more past {other:?}, or start and end it elsewhere"
-    );
-    Fault::new(FaultKind::Coincident, cause, cure)
-}
-
-/// Moves a surface. Its parameters and its front go with it.
-fn put(surface: &mut SceneSurface, motion: &Motion) {
-    let rest: Box<dyn Surface> = Box::new(Arc::clone(&surface.shape));
-    surface.shape = Arc::new(Placed::new(rest, *motion));
-}
-
-/// Turns the outlook of an opening, or moves the luminous area of a luminaire, along with its surface.
-fn turn_radiance(surface: &mut SceneSurface, pose: &Pose) {
-    match &surface.radiance {
-        None => {}
-        Some(Radiance::Sky(outlook)) => {
-            let turned = outlook.turned(|normal| pose.vector(normal));
-            surface.material.emission = turned.exitance();
-            surface.radiance = Some(Radiance::Sky(Arc::new(turned)));
-        }
-        Some(Radiance::Luminaire(area)) => {
-            surface.radiance = Some(Radiance::Luminaire(Arc::new(area.moved(pose.motion()))));
-        }
-    }
-}
-
-/// Whether a sheet that lay on another one at rest is still as near as that.
-fn may_lie(sheets: &[Sheet], LiesOn { surface, on }: &LiesOn) -> bool {
-    let found = |name: &String| sheets.iter().find(|sheet| sheet.name == *name);
-    let bounds = |sheet: &Sheet, gap: f64| -> Aabb { sheet.shape.bounds(&Rect::FULL).inflate(gap) };
-    match (found(surface), found(on)) {
-        (Some(own), Some(on)) => {
-            let gap = gap::closed(own.extent(), on.extent());
-            bounds(own, gap).overlaps(&bounds(on, gap))
-        }
-        _ => false,
-    }
-}
-
-/// The camera in a pose.
-fn seen_from(camera: Camera, pose: &Pose) -> Camera {
-    let Camera { eye, target, up, .. } = camera;
-    Camera { eye: pose.point(eye), target: pose.point(target), up: pose.vector(up), ..camera }
+fn takes_no_factors() -> Fault {
+    let cure = "leave its factors empty, or let a surface or a luminaire that emits move along";
+    Fault::absent("nothing that moves with it emits light", cure)
 }

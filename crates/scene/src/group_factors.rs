@@ -9,16 +9,17 @@ use crate::{
     error::{Located, SceneError, title},
     fault::Fault,
     light_group::LightGroup,
-    ranges::check_range,
+    ranges::check_factor,
 };
 
 impl Scene {
     /// Light groups of the surfaces and the luminaires that emit, each once, in the order of the surfaces,
-    /// then of the luminaires.
+    /// then of the luminaires. In a frame they are those of the scene that moves, also where a motion has
+    /// dimmed all of one to nothing.
     pub fn light_groups(&self) -> Vec<&LightGroup> {
         let mut seen = BTreeSet::new();
-        let emitting = self.surfaces.iter().filter(|surface| surface.material.emits());
-        let luminaires = self.luminaires.iter().filter(|luminaire| luminaire.emits());
+        let emitting = self.surfaces.iter().filter(|surface| surface.is_source());
+        let luminaires = self.luminaires.iter().filter(|luminaire| luminaire.is_source());
         let groups = emitting.filter_map(|surface| surface.group.as_ref());
         let groups = groups.chain(luminaires.filter_map(|luminaire| luminaire.group.as_ref()));
         groups.filter(|group| seen.insert(group.name.as_str())).collect()
@@ -75,16 +76,6 @@ impl Scene {
 
 /// A light group of which nothing emits.
 fn unknown_group(name: &str, groups: &[&LightGroup]) -> Fault {
-    let none = format!(
-        "this scene has no light groups: give surfaces that emit, or their material, group = {name:?}, and \
-         solve it again"
-    );
-    let known: Vec<String> = groups.iter().map(|group| group.name.clone()).collect();
-    let cause = format!("no light comes from a group {name:?}");
-    Fault::unknown_or(cause, name, known, "light groups of this scene", none)
-}
-
-/// Checks that a factor is finite and ≥ 0.
-fn check_factor(value: f64) -> Result<(), Fault> {
-    check_range(value, value >= 0.0, "the factor", "factor ≥ 0")
+    let known = groups.iter().map(|group| group.name.clone()).collect();
+    Fault::unknown_group(format!("no light comes from a group {name:?}"), name, known, ", and solve it again")
 }

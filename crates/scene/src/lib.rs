@@ -8,7 +8,7 @@
 //! In order: faults with their causes, cures and places; patterns, materials, luminaires, skies; poses, paths and
 //! animations; surfaces as drafts and as fitted; the [`Source`] that a scene was read from; the builder; what
 //! is made of a scene: other factors (`group_factors`), other materials (`with_material`), another moment
-//! (`frame_scenes`).
+//! (`still_scene`, `frame_scenes`).
 //!
 //! Imports `core`, `geom`, `work`, `fit` and `photometry`.
 
@@ -28,11 +28,13 @@ mod camera;
 mod pose;
 mod time_function;
 mod path;
+mod emission_track;
+mod mover_state;
 pub mod animation;
+mod light_group;
 pub mod member_names;
 pub mod mover_draft;
 pub mod masked_pair;
-mod light_group;
 mod distribution;
 mod extent;
 pub mod luminaire;
@@ -55,6 +57,7 @@ pub mod surfaces;
 mod builder;
 mod group_factors;
 mod with_material;
+mod still_scene;
 mod frame_scenes;
 
 use radiosity_geom::DVec3;
@@ -64,6 +67,7 @@ pub use animation::{Animation, Clock, Mover};
 pub use builder::SceneBuilder;
 pub use camera::Camera;
 pub use distribution::Distribution;
+pub use emission_track::EmissionTrack;
 pub use error::SceneError;
 pub use extent::Extent;
 pub use fault::{Fault, FaultKind};
@@ -77,6 +81,7 @@ pub use luminous_area::LuminousArea;
 pub use masked_pair::{MaskedPair, MaskedPairDraft};
 pub use material::Material;
 pub use mover_draft::MoverDraft;
+pub use mover_state::MoverState;
 pub use named_material::NamedMaterial;
 pub use outlook::{Opening, Outlook};
 pub use path::{AxisAngle, RigidPath, Turn};
@@ -192,10 +197,10 @@ impl Scene {
         Fault::unknown_or(format!("unknown plane {name:?}"), name, known, "planes of this scene", none)
     }
 
-    /// Whether a surface or a luminaire of the scene emits light.
+    /// Whether a surface or a luminaire of the scene emits light; of a frame, whether any does in the scene
+    /// that moves.
     pub fn emits(&self) -> bool {
-        self.surfaces.iter().any(|surface| surface.material.emits())
-            || self.luminaires.iter().any(Luminaire::emits)
+        self.surfaces.iter().any(SceneSurface::is_source) || self.luminaires.iter().any(Luminaire::is_source)
     }
 
     /// Checks what only light needs: a material on every surface, and something that emits.

@@ -47,6 +47,9 @@ pub struct Luminaire {
     /// Factor on the relative intensities, per band (W/sr; a number for tables), not dimmed by its light
     /// group.
     pub strength: Vec<f64>,
+    /// Factor of each band that a motion has put on its strength, which holds it; none where that is as it is
+    /// at rest, or where it sends nothing at rest.
+    pub emission_factors: Option<Vec<f64>>,
     /// Its light group, if it has one.
     pub group: Option<LightGroup>,
     /// Its place in the file; none if it was made in code.
@@ -82,8 +85,18 @@ impl Luminaire {
         distribution.check()?;
         let strength = strength.factors(&distribution)?;
         let (aim, along) = (-DVec3::Z, DVec3::X);
-        let extent = Extent::Point;
-        Ok(Self { name, position, aim, along, distribution, extent, strength, group: None, place: None })
+        Ok(Self {
+            name,
+            position,
+            aim,
+            along,
+            distribution,
+            extent: Extent::Point,
+            strength,
+            emission_factors: None,
+            group: None,
+            place: None,
+        })
     }
 
     /// The luminaire aimed along `aim` of any length; the plane C = 0 contains x, or y where it aims along x.
@@ -191,6 +204,19 @@ impl Luminaire {
     /// Flux of a band (W), not dimmed by its light group.
     pub fn flux(&self, band: usize) -> f64 {
         self.strength[band] * self.distribution.flux_factor()
+    }
+
+    /// Multiplies its strength in each band by a factor, if it sends anything.
+    pub(crate) fn dim(&mut self, factors: &[f64]) {
+        if self.emits() {
+            self.strength.iter_mut().zip(factors).for_each(|(strength, factor)| *strength *= factor);
+            self.emission_factors = Some(factors.to_vec());
+        }
+    }
+
+    /// Whether it sends light, or would if no motion had dimmed it to nothing.
+    pub fn is_source(&self) -> bool {
+        self.emits() || self.emission_factors.is_some()
     }
 
     /// Whether it sends light in any band.

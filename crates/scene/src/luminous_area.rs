@@ -70,6 +70,13 @@ impl LuminousArea {
         Self { luminaire, normal: motion.direction(self.normal), ..*self }
     }
 
+    /// The side of a luminaire with a factor on each band.
+    pub(super) fn dimmed(&self, factors: &[f64]) -> Self {
+        let mut luminaire = self.luminaire.clone();
+        luminaire.dim(factors);
+        Self { luminaire, ..*self }
+    }
+
     /// Flux of each band (W) that it sends, not dimmed by its light group.
     pub(super) fn flux(&self) -> Vec<f64> {
         self.luminaire.strength.iter().map(|strength| strength * self.flux_factor).collect()

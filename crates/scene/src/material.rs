@@ -107,6 +107,17 @@ impl Material {
         }
     }
 
+    /// The material that emits so much of each band of what it does.
+    pub(crate) fn dimmed(&self, factors: &[f64]) -> Self {
+        let emission: Vec<f64> =
+            self.emission.iter().zip(factors).map(|(own, factor)| own * factor).collect();
+        let is_dark = emission.iter().all(|exitance| *exitance == 0.0);
+        let emission_pattern = self.emission_pattern.as_ref().filter(|_| !is_dark);
+        let emission_pattern = emission_pattern.map(|own| Arc::new(own.dimmed(factors)));
+        let emission = emission_pattern.as_ref().map_or(emission, |own| own.means());
+        Self { emission, emission_pattern, ..self.clone() }
+    }
+
     /// Whether it emits in any band.
     pub fn emits(&self) -> bool {
         self.emission.iter().any(|&exitance| exitance != 0.0)

@@ -2,7 +2,7 @@
 
 use std::{borrow::Borrow, sync::Arc};
 
-use crate::{fault::Fault, place::Span};
+use crate::{fault::Fault, light_group::LightGroup, place::Span};
 
 /// The mark behind which a name may end in any way.
 const ANY_ENDING: char = '*';
@@ -23,6 +23,8 @@ pub struct MemberNames {
     pub(super) names: Vec<String>,
     /// Names of the instances that it is in.
     pub(super) instances: Arc<[String]>,
+    /// Name of its light group.
+    pub(super) group: Option<String>,
     /// Index of the luminaire whose area it is, if it is one.
     pub(super) luminaire: Option<usize>,
 }
@@ -36,6 +38,11 @@ impl MemberNames {
     /// The handles with the names of the instances that the thing is in.
     pub fn within(self, instances: Arc<[String]>) -> Self {
         Self { instances, ..self }
+    }
+
+    /// The handles with the name of the light group that the thing is in.
+    pub fn in_group(self, group: Option<&LightGroup>) -> Self {
+        Self { group: group.map(|own| own.name.clone()), ..self }
     }
 
     /// Names of the surface `name`, a side of the area of one of these luminaires.
@@ -57,7 +64,12 @@ impl MemberNames {
         self.instances.iter().collect()
     }
 
-    /// All its names.
+    /// Name of the light group that it is in.
+    pub(super) fn of_group(&self) -> Vec<&String> {
+        self.group.iter().collect()
+    }
+
+    /// All its names but that of its light group.
     pub(super) fn all(&self) -> Vec<&String> {
         self.names.iter().chain(self.instances.iter()).collect()
     }

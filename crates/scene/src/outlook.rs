@@ -55,6 +55,13 @@ impl Outlook {
         }
     }
 
+    /// The outlook on a sky, and a sun, of which so much of each band comes in, as behind a blind.
+    pub(super) fn dimmed(&self, factors: &[f64]) -> Self {
+        let Opening { sky, glass } = &self.opening;
+        let opening = Opening { sky: Arc::new(sky.dimmed(factors)), glass: *glass };
+        Self { opening, ..*self }
+    }
+
     /// Exitance M of each band (W m⁻²).
     pub fn exitance(&self) -> Vec<f64> {
         self.opening.sky.irradiance().iter().map(|own| own * self.share).collect()

@@ -42,6 +42,9 @@ enum TurnForm {
 }
 
 impl RigidPath {
+    /// The path of what stays at rest.
+    pub const REST: Self = Self { shift: None, turn: None };
+
     /// The path along a track (scene length), without rotation.
     pub fn along(shift: TimeFunction<DVec3>) -> Self {
         Self { shift: Some(shift), turn: None }
@@ -55,6 +58,11 @@ impl RigidPath {
     /// The path of rotations about a point, each followed by a translation along a track (scene length).
     pub fn turning_along(turn: Turn, shift: TimeFunction<DVec3>) -> Self {
         Self { shift: Some(shift), turn: Some(turn) }
+    }
+
+    /// Whether nothing moves along the path.
+    pub(crate) fn is_rest(&self) -> bool {
+        *self == Self::REST
     }
 
     /// The times at which the path may bend: it is smooth between them, and rests before the first and after
@@ -72,8 +80,8 @@ impl RigidPath {
     pub fn pose(&self, time: f64) -> Pose {
         let shift = self.shift.as_ref().map_or(DVec3::ZERO, |shift| shift.at(time));
         match &self.turn {
-            None => Pose::about(DVec3::ZERO, DQuat::IDENTITY, shift),
-            Some(turn) => Pose::about(turn.center, turn.rotation(time), shift),
+            None => Pose::turned(DVec3::ZERO, DQuat::IDENTITY, shift),
+            Some(turn) => Pose::turned(turn.center, turn.rotation(time), shift),
         }
     }
 

@@ -115,6 +115,17 @@ impl Pattern {
         Self { picture: Some(Arc::new(PictureFile { path: path.to_owned(), remarks })), ..self }
     }
 
+    /// The pattern with a factor on each band.
+    pub(crate) fn dimmed(&self, factors: &[f64]) -> Self {
+        let kind = match &self.kind {
+            PatternForm::Polynomial(bands) => PatternForm::Polynomial(
+                bands.iter().zip(factors).map(|(own, factor)| own.times(*factor)).collect(),
+            ),
+            PatternForm::Texels(texels) => PatternForm::Texels(texels.dimmed(factors)),
+        };
+        Self { kind, picture: self.picture.clone() }
+    }
+
     /// The picture file that the pattern was read from, if any.
     pub fn picture(&self) -> Option<&PictureFile> {
         self.picture.as_deref()

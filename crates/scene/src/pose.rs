@@ -2,6 +2,12 @@
 
 use radiosity_geom::{DQuat, DVec3, Motion};
 
+use crate::{fault::Fault, ranges::check_number};
+
+/// Largest difference from 1 of the length of a quaternion that is taken for a rotation: more than single
+/// precision rounds.
+const ROUNDED: f64 = 1e-6;
+
 /// A rigid motion, which keeps distances and handedness to rounding.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pose(Motion);
@@ -13,10 +19,35 @@ impl Pose {
     /// The pose turned by the unit quaternion `rotation` about `center`, then moved by `shift` (scene
     /// length).
     ///
+    /// # Errors
+    /// [`FaultKind::OutOfRange`](crate::FaultKind::OutOfRange) for a quaternion that is not of length 1 to
+    /// 1e-6; a number that is not finite or out of range.
+    pub fn rigid(center: DVec3, rotation: DQuat, shift: DVec3) -> Result<Self, Fault> {
+        let numbers = center.to_array().into_iter().chain(shift.to_array()).chain(rotation.to_array());
+        numbers.into_iter().try_for_each(check_number)?;
+        let length = rotation.length();
+        if (length - 1.0).abs() > ROUNDED {
+            let fault = Fault::out_of_range("the length of the quaternion", length, "1, to 1e-6");
+            return Err(fault.cured("give a unit quaternion, its vector times the sine of half the angle"));
+        }
+        Ok(Self::turned(center, rotation.normalize(), shift))
+    }
+
+    /// The pose turned by the unit quaternion `rotation` about `center`, then moved by `shift`.
+    ///
     /// Without a rotation and a shift it is [`Pose::REST`], to the bit.
-    pub(super) fn about(center: DVec3, rotation: DQuat, shift: DVec3) -> Self {
+    pub(super) fn turned(center: DVec3, rotation: DQuat, shift: DVec3) -> Self {
         let turn = Motion::rigid(rotation, DVec3::ZERO);
         Self(Motion::rigid(rotation, center - turn.point(center) + shift))
+    }
+
+    /// The pose after `middle` was subtracted from all coordinates, as a scene does with its own
+    /// ([`Scene::middle`](crate::Scene::middle)).
+    #[must_use]
+    pub fn about(self, middle: DVec3) -> Self {
+        // Of a translation this is nothing, to the bit.
+        let by = self.vector(middle) - middle;
+        Self(self.0.then(&Motion::rigid(DQuat::IDENTITY, by)))
     }
 
     /// Whether the pose is [`Pose::REST`], to the bit.

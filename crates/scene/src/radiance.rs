@@ -16,6 +16,14 @@ pub enum Radiance {
 }
 
 impl Radiance {
+    /// The light with a factor on each band: a stays, and so does all that follows from it.
+    pub(crate) fn dimmed(&self, factors: &[f64]) -> Self {
+        match self {
+            Self::Sky(outlook) => Self::Sky(Arc::new(outlook.dimmed(factors))),
+            Self::Luminaire(area) => Self::Luminaire(Arc::new(area.dimmed(factors))),
+        }
+    }
+
     /// Relative radiance a: the radiance in a unit direction from the surface, over that of a diffuse emitter
     /// of its exitance.
     pub fn relative(&self, into: DVec3) -> f64 {

@@ -54,6 +54,12 @@ pub fn check_number(value: f64) -> Result<(), Fault> {
     }
 }
 
+/// Checks that a factor on light is ≥ 0, finite and at most 1e30.
+pub fn check_factor(value: f64) -> Result<(), Fault> {
+    check_range(value, value >= 0.0, "the factor", "factor ≥ 0")?;
+    check_number(value)
+}
+
 /// Checks that 0 ≤ order ≤ [`MAX_ORDER`].
 pub fn check_order(order: usize) -> Result<(), Fault> {
     counted(order, 0, MAX_ORDER, "the order", "0 ≤ order ≤ 20")

@@ -106,6 +106,13 @@ impl Sky {
         Ok(Self { whole, ..sky })
     }
 
+    /// The sky with a factor on each band of its light, of that of the ground and of the sun.
+    pub(crate) fn dimmed(&self, factors: &[f64]) -> Self {
+        let dimmed = |light: &[f64]| light.iter().zip(factors).map(|(own, factor)| own * factor).collect();
+        let sun = self.sun.as_ref().map(|own| Sun { irradiance: dimmed(&own.irradiance), ..*own });
+        Self { irradiance: dimmed(&self.irradiance), sun, ..*self }
+    }
+
     /// The sun, if there is one.
     pub(crate) fn sun(&self) -> Option<&Sun> {
         self.sun.as_ref()

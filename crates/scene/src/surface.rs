@@ -30,6 +30,9 @@ pub struct SceneSurface {
     /// Flux of each band (W) that it emits, not dimmed, where that is given instead of the emission of its
     /// material.
     pub flux: Option<Vec<f64>>,
+    /// Factor of each band that a motion has put on what it emits, which holds it; none where that is as it
+    /// is at rest, or where it emits nothing at rest.
+    pub emission_factors: Option<Vec<f64>>,
     /// Angular distribution of its light, if not diffuse: of openings to a sky and of luminous areas.
     pub radiance: Option<Radiance>,
     /// Its emissivity and thermal condition, as far as they are known.
@@ -63,6 +66,24 @@ impl SceneSurface {
     /// The factor of its light group; 1 without a group.
     pub fn factor(&self) -> f64 {
         self.group.as_ref().map_or(1.0, |group| group.factor)
+    }
+
+    /// Whether it emits, or would if no motion had dimmed it to nothing.
+    pub fn is_source(&self) -> bool {
+        self.material.emits() || self.emission_factors.is_some()
+    }
+
+    /// Multiplies what it emits in each band by a factor, if it emits anything.
+    pub(crate) fn dim(&mut self, factors: &[f64]) {
+        if !self.material.emits() {
+            return;
+        }
+        self.material = self.material.dimmed(factors);
+        self.flux
+            .iter_mut()
+            .for_each(|flux| flux.iter_mut().zip(factors).for_each(|(flux, own)| *flux *= own));
+        self.radiance = self.radiance.as_ref().map(|own| own.dimmed(factors));
+        self.emission_factors = Some(factors.to_vec());
     }
 
     /// Whether it is an opening to a sky.

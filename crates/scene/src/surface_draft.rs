@@ -294,6 +294,7 @@ impl SurfaceDraft {
             kind: self.kind,
             shape: if flip { Arc::new(Flipped::new(Box::new(shape.clone()))) } else { shape.clone() },
             material: covering.material.clone(),
+            emission_factors: None,
             radiance: radiance.clone(),
             material_name: covering.name.clone(),
             other_side: None,

@@ -8,6 +8,7 @@ use crate::{
     error::{Located, title},
     fault::{Fault, FaultKind},
     fitted::{self, Fitted},
+    luminaire::Luminaire,
     names::UniqueNames,
     outlook::KnownOutlooks,
     place::Span,
@@ -56,6 +57,12 @@ pub fn fitted_surfaces(
     } else {
         Ok(Surfaces { list, makers, middle, fitted })
     }
+}
+
+/// Whether each surface, then each luminaire, emits.
+pub fn emitting(surfaces: &[SceneSurface], luminaires: &[Luminaire]) -> Vec<bool> {
+    let surfaces = surfaces.iter().map(SceneSurface::is_source);
+    surfaces.chain(luminaires.iter().map(Luminaire::is_source)).collect()
 }
 
 /// The surfaces of all drafts, with unique names and none in another, and their makers.

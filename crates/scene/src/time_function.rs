@@ -126,6 +126,65 @@ impl<T: Interpolable> TimeFunction<T> {
     }
 }
 
+/// Part of the time from one given value to the next within which a sign changes at a value that is 0: above
+/// rounding. Chosen.
+const AT_END: f64 = 1e-9;
+
+impl TimeFunction<f64> {
+    /// The times at which a spline through values that are not negative changes its sign, but for the given
+    /// ones. It does so on parts between its extremes, where
+    ///
+    /// ```text
+    /// dx/ds = b − a − h²/6 (2 M₀ + M₁) + h² M₀ s + h²/2 (M₁ − M₀) s² = 0 ;
+    /// ```
+    pub(crate) fn crossings(&self) -> Vec<f64> {
+        let times = self.times();
+        let pieces = self.bends.windows(2).zip(self.values.windows(2)).zip(times.windows(2));
+        let of_piece = |((bends, values), ends): ((&[f64], &[f64]), &[f64])| {
+            let step = ends[1] - ends[0];
+            let [m0, m1] = [0, 1].map(|k| step * step * bends[k]);
+            let slope = [values[1] - values[0] - (2.0 * m0 + m1) / 6.0, m0, 0.5 * (m1 - m0)];
+            let extremes = roots(slope).into_iter().filter(|s| (0.0..1.0).contains(s));
+            let inner = extremes.map(|s| ends[0] + s * step);
+            let parts: Vec<f64> = [ends[0]].into_iter().chain(inner).chain([ends[1]]).collect();
+            let crossing = |part: &[f64]| self.crossing([part[0], part[1]]);
+            let is_inside = |time: &f64| ends.iter().all(|end| (time - end).abs() > AT_END * step);
+            parts.windows(2).filter_map(crossing).filter(is_inside).collect::<Vec<_>>()
+        };
+        pieces.flat_map(of_piece).collect()
+    }
+
+    /// Time between two at which the function, monotone between them, changes its sign, by bisection; None if
+    /// it does not.
+    fn crossing(&self, [mut low, mut high]: [f64; 2]) -> Option<f64> {
+        let is_negative = |time: f64| self.at(time) < 0.0;
+        let before = is_negative(low);
+        if before == is_negative(high) {
+            return None;
+        }
+        // As many halvings as f64 has digits.
+        for _ in 0..f64::MANTISSA_DIGITS {
+            let middle = low.midpoint(high);
+            let end = if is_negative(middle) == before { &mut low } else { &mut high };
+            *end = middle;
+        }
+        Some(high)
+    }
+}
+
+/// The real roots of c₀ + c₁ x + c₂ x², ascending.
+fn roots([c0, c1, c2]: [f64; 3]) -> Vec<f64> {
+    let discriminant = c1 * c1 - 4.0 * c0 * c2;
+    if discriminant < 0.0 {
+        return Vec::new();
+    }
+    let sum = -0.5 * (c1 + discriminant.sqrt().copysign(c1));
+    let mut roots = vec![sum / c2, c0 / sum];
+    roots.retain(|root| root.is_finite());
+    roots.sort_by(f64::total_cmp);
+    roots
+}
+
 /// The second derivatives of the natural spline, by elimination in the tridiagonal system
 ///
 /// ```text
@@ -216,6 +275,23 @@ mod tests {
         for end in [0.0 + 1.5 * step, 3.0 - 1.5 * step] {
             assert!(bend(end).length() < 2e-2, "{}", bend(end));
         }
+    }
+
+    #[test]
+    fn a_spline_crosses_zero_where_its_cubics_do() {
+        // On [0, 3] through 1, 0, 0, 1: 0.6 (t² − ¼) about the middle, above 0 beside it.
+        let dips = time_function(&[1.0, 0.0, 0.0, 1.0], &[0.0, 1.0, 2.0, 3.0], Curve::Spline);
+        assert!(dips.crossings().is_empty(), "it changes its sign at given values");
+        // Through ½, 0, 4, 0.5: M₁ of 4 M₁ + M₂ = 27, M₁ + 4 M₂ = −45.
+        let [m1, m2] = [153.0 / 15.0, -207.0 / 15.0];
+        let dips = time_function(&[0.5, 0.0, 4.0, 0.5], &[0.0, 1.0, 2.0, 3.0], Curve::Spline);
+        let first = |s: f64| 0.5 * (1.0 - s) + (s.powi(3) - s) / 6.0 * m1;
+        let last = |s: f64| 4.0 + s * (0.5 - 4.0) + ((1.0 - s).powi(3) - (1.0 - s)) / 6.0 * m2;
+        let crossings = dips.crossings();
+        assert!(crossings.len() == 1 && first(crossings[0]).abs() < 1e-14, "{crossings:?}");
+        assert!((0..100).all(|k| last(0.01 * f64::from(k)) > 0.0));
+        let line = time_function(&[1.0, 0.0, 1.0], &[0.0, 1.0, 2.0], Curve::Line);
+        assert!(line.crossings().is_empty());
     }
 
     #[test]

@@ -53,12 +53,15 @@ impl Scene {
     }
 }
 
-/// Gives a surface the material; a surface of a given flux, an opening or a luminaire keeps its emission.
+/// Gives a surface the material; a surface of a given flux, an opening or a luminaire keeps its emission, and
+/// what a motion has dimmed stays so.
 fn paint(surface: &mut SceneSurface, material: &Material) {
     let keeps = surface.flux.is_some() || surface.radiance.is_some();
     let own = std::mem::replace(&mut surface.material, material.clone());
     if keeps {
         surface.material.emission = own.emission;
         surface.material.emission_pattern = own.emission_pattern;
+    } else if let Some(factors) = surface.emission_factors.take() {
+        surface.dim(&factors);
     }
 }

@@ -13,6 +13,7 @@ use serde_json::{Value, json};
 
 use crate::{
     fields::{exactly, list, points, real, texts, word},
+    file::per_band::{PerBand, per_band},
     keys::{
         DefaultValue, EmptyByDefault, GivenFields, KeyGroup, KeySchema, KeyTable, NameKey, ValueKind,
         WithDefault, keys,
@@ -23,18 +24,23 @@ use crate::{
 
 keys! {
     /// `[[motion]]`.
-    MotionFile("What moves together along a rigid path", terms::required("anyOf", &["translate", "rotate"])) {
+    MotionFile("What moves together along a rigid path, or is dimmed together", terms::required("anyOf", &HOW)) {
         name: At<String> = NameKey, "Its name, given once in the scene";
         surfaces: Vec<At<String>> = NAMES, "Surfaces that move, by name; a * stands for any ending";
         instances: Vec<At<String>> = NAMES, "Instances that move with all that is in them";
         luminaires: Vec<At<String>> = NAMES, "Luminaires that move";
+        groups: Vec<At<String>> = NAMES, "Light groups of which all surfaces and luminaires move";
         camera: Option<At<bool>> = TRUTH, "The camera moves along";
         translate: Option<TranslateFile> = ValueKind::new(TranslateFile::read, TranslateFile::schema), "";
         rotate: Option<RotateFile> = ValueKind::new(RotateFile::read, RotateFile::schema), "";
+        emission: Option<At<EmissionFile>> = ValueKind::new(EmissionFile::read, EmissionFile::schema), "";
         .._rigid: Rigid;
         ..span: Span;
     }
 }
+
+/// The keys that say what happens, of which one has to be given.
+const HOW: [&str; 3] = ["translate", "rotate", "emission"];
 
 keys! {
     /// `translate = { … }`.
@@ -61,6 +67,17 @@ keys! {
     }
 }
 
+keys! {
+    /// `emission = { … }`.
+    EmissionFile("How brightly it shines") {
+        factors: At<Vec<PerBand>> = ValueKind::new(factors, factors_schema).example(
+            ", factors on what it emits at rest, at least two, each a number or a list with one per band",
+        ), "Factors on what it emits at rest, each for all bands or with one per band";
+        times: Option<At<Vec<f64>>> = TIMES, WHEN;
+        curve: Curve = BETWEEN, "What is between two of them; a spline is cut off at 0";
+    }
+}
+
 const NAMES: EmptyByDefault<Vec<At<String>>> = ValueKind::new(texts, names_schema).or_empty();
 
 const TIMES: ValueKind<Vec<f64>> = ValueKind::new(numbers, || {
@@ -72,7 +89,7 @@ const WHEN: &str = "When, in ascending order; at equal steps unless given";
 
 const CURVES: [(&str, Curve); 2] = [("line", Curve::Line), ("spline", Curve::Spline)];
 
-/// The curve between the values of a path.
+/// The curve between the values of a path, or between factors.
 const BETWEEN: WithDefault<Curve> =
     ValueKind::new(curve, || terms::words(&CURVES.map(|(name, _)| name))).or(DefaultValue::Word("line"));
 
@@ -84,6 +101,11 @@ fn names_schema() -> Value {
 fn turns_schema() -> Value {
     let turn = terms::exactly(4, "number", "Axis x, y, z and degrees about it");
     json!({ "type": "array", "minItems": 2, "items": turn })
+}
+
+fn factors_schema() -> Value {
+    let factor = terms::per_band(terms::at_least_zero(), "A factor");
+    json!({ "type": "array", "minItems": 2, "items": factor })
 }
 
 fn one_notation() -> Value {
@@ -132,6 +154,10 @@ impl KeyGroup for Rigid {
 fn turns(node: &Node) -> Result<Vec<[f64; 4]>, Located> {
     let turn = |node: &Node| exactly(node, "a turn", "numbers, an axis and degrees", real);
     list(node)?.iter().map(turn).collect()
+}
+
+fn factors(node: &Node) -> Result<Vec<PerBand>, Located> {
+    list(node)?.iter().map(per_band).collect()
 }
 
 fn numbers(node: &Node) -> Result<Vec<f64>, Located> {

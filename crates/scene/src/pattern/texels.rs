@@ -15,6 +15,12 @@ pub(super) struct Texels {
 }
 
 impl Texels {
+    /// The grid with a factor on each band.
+    pub(super) fn dimmed(&self, factors: &[f64]) -> Self {
+        let band = |(own, factor): (&Vec<f64>, &f64)| own.iter().map(|value| value * factor).collect();
+        Self { values: self.values.iter().zip(factors).map(band).collect(), ..self.clone() }
+    }
+
     /// Value of a band at (u, v).
     pub(super) fn at(&self, band: usize, parameters: [f64; 2]) -> f64 {
         let [i, j] = [0, 1].map(|axis| self.line(axis, parameters[axis]));

@@ -29,11 +29,12 @@ pub(super) struct Emission {
 
 impl Emission {
     /// Every group of `scene` that emits, and what emits without a group; at least one, which may be dark.
+    /// Those of a frame are those of the scene that moves, dimmed to nothing or not.
     pub(super) fn all(scene: &Scene, elements: &[Element]) -> Vec<Self> {
         let mut groups: Vec<Option<&str>> =
             scene.light_groups().iter().map(|group| Some(group.name.as_str())).collect();
-        let surfaces = || scene.surfaces.iter().any(|own| own.is_in(None) && own.material.emits());
-        let luminaires = || scene.luminaires.iter().any(|own| own.is_in(None) && own.emits());
+        let surfaces = || scene.surfaces.iter().any(|own| own.is_in(None) && own.is_source());
+        let luminaires = || scene.luminaires.iter().any(|own| own.is_in(None) && own.is_source());
         if groups.is_empty() || surfaces() || luminaires() {
             groups.push(None);
         }
