@@ -88,6 +88,18 @@ impl Animation {
         self
     }
 
+    /// The number of the mover of this name.
+    ///
+    /// # Errors
+    /// [`FaultKind::UnknownName`] where there is none.
+    pub fn mover(&self, name: &str) -> Result<usize, Fault> {
+        let known = || self.movers.iter().map(|mover| mover.name.clone()).collect::<Vec<_>>();
+        let found = self.movers.iter().position(|mover| mover.name == name);
+        found.ok_or_else(|| {
+            Fault::unknown(format!("unknown motion {name:?}"), name, known(), "motions of this scene")
+        })
+    }
+
     /// The moments at which a path, or what is emitted over time, may bend, ascending, in frames.
     pub fn bends(&self) -> Vec<f64> {
         let of_emission = |own: &Mover| own.emission.as_ref().map_or_else(Vec::new, EmissionTrack::times);

@@ -162,6 +162,17 @@ impl KeptBlocks {
         Some(LastChange { change: self.change.clone()?, changed: self.changed.clone()? })
     }
 
+    /// Whether nothing has changed in the last scene; then its blocks and rays are those of the one before,
+    /// and count as recalled: `rays` of them.
+    pub fn is_unchanged(&mut self, rays: u64) -> bool {
+        let is_unchanged = self.change.as_ref().is_some_and(|change| change.is_none());
+        if is_unchanged {
+            (self.integrated, self.recalled) = (0, self.integrated + self.recalled);
+            self.ray_counts = RayCounts { traced: 0, recalled: rays };
+        }
+        is_unchanged
+    }
+
     /// The elements of the last scene.
     pub fn elements(&self) -> Option<&Elements> {
         self.state.as_ref().map(|state| state.elements.as_ref())

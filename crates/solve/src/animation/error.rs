@@ -19,18 +19,22 @@ pub enum AnimationError {
     )]
     Masked,
     /// The light of a moment was not found.
-    #[error("frame {moment}: {failure}")]
+    #[error("{}{failure}", frame(*moment))]
     Unsolved {
-        /// The moment, in frames.
-        moment: f64,
+        /// The moment, in frames; None where the movers were placed by hand.
+        moment: Option<f64>,
         /// Failure of the solution of that moment.
         failure: Box<Failure>,
     },
 }
 
+fn frame(moment: Option<f64>) -> String {
+    moment.map_or_else(String::new, |moment| format!("frame {moment}: "))
+}
+
 impl AnimationError {
     /// The error of a moment (frames).
-    pub(super) fn of(moment: f64, failure: Failure) -> Self {
-        Self::Unsolved { moment, failure: Box::new(failure) }
+    pub(super) fn of(moment: impl Into<Option<f64>>, failure: Failure) -> Self {
+        Self::Unsolved { moment: moment.into(), failure: Box::new(failure) }
     }
 }

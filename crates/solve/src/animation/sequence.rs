@@ -13,14 +13,15 @@ use radiosity_core::norm;
 use radiosity_elements::Element;
 use radiosity_kernel::Remainder;
 use radiosity_published::expansions::{Expansions, ORDERS, SeriesCounts, known};
-use radiosity_scene::{FrameScenes, Scene};
+use radiosity_scene::{FrameScenes, MoverState, Scene};
 use radiosity_transport::{KeptBlocks, RayCounts};
 use radiosity_work::Work;
 
-use crate::driver::{Failure, FrameLight, KeptModel, Layout, Model, Options, Standing, Unknowns};
+use crate::driver::{Failure, FrameLight, KeptModel, Layout, Model, Options, Standing};
 
 use super::error::AnimationError;
 use super::frame::Frame;
+use super::light_before::LightBefore;
 use super::sequence_report::SequenceReport;
 use crate::solution::{Band, Solution};
 use crate::system::Coefficients;
@@ -59,8 +60,8 @@ struct Kept {
     model: Option<KeptModel>,
     /// Series of what is translated, where blocks may be sums of them.
     expansions: Option<Arc<Expansions>>,
-    /// Unknowns of the frame before, where only the difference is solved for.
-    unknowns: Option<Unknowns>,
+    /// Light of the frames before, where only the difference is solved for.
+    light: Option<LightBefore>,
 }
 
 impl Kept {
@@ -71,16 +72,16 @@ impl Kept {
 
     /// Blocks, rays that stand, and light, but nothing yet.
     fn light_too() -> Self {
-        let model = KeptModel { standing: Some(Standing::default()), ..KeptModel::default() };
-        Self { model: Some(model), unknowns: Some(Unknowns::new()), expansions: None }
+        let model = KeptModel::beside(KeptBlocks::default(), Some(Standing::default()));
+        Self { model: Some(model), light: Some(LightBefore::default()), expansions: None }
     }
 
     /// Blocks, rays and series that are kept.
     fn with_series(expansions: Expansions) -> Self {
         let expansions = Arc::new(expansions);
         let blocks = KeptBlocks::beside(known(&expansions));
-        let model = Some(KeptModel { blocks, standing: None });
-        Self { model, expansions: Some(expansions), unknowns: None }
+        let model = Some(KeptModel::beside(blocks, None));
+        Self { model, expansions: Some(expansions), light: None }
     }
 
     /// Parts of the same kinds, as before any frame.
@@ -88,7 +89,7 @@ impl Kept {
         match self {
             Self { model: None, .. } => Self::default(),
             Self { expansions: Some(expansions), .. } => Self::with_series(expansions.anew()),
-            Self { unknowns: Some(_), .. } => Self::light_too(),
+            Self { light: Some(_), .. } => Self::light_too(),
             _ => Self::blocks_and_rays(),
         }
     }
@@ -150,20 +151,39 @@ impl<'a> Sequence<'a> {
     /// # Errors
     /// As [`Scene::at_moment`] and [`solve`](crate::driver::solve); series where rays carry the pairs.
     pub fn at(&mut self, moment: f64, work: &Work<'_>) -> Result<Frame, AnimationError> {
+        let still = self.frame_scenes.at(moment)?;
+        self.frame(still, Some(moment), work)
+    }
+
+    /// The light where the movers have these states, one for each in the order of the scene's animation,
+    /// whatever their paths say.
+    ///
+    /// # Errors
+    /// As [`FrameScenes::placed`] and [`solve`](crate::driver::solve); series where rays carry the pairs.
+    pub fn placed(&mut self, states: &[MoverState], work: &Work<'_>) -> Result<Frame, AnimationError> {
+        let still = self.frame_scenes.placed(states)?;
+        self.frame(still, None, work)
+    }
+
+    /// The light of a still scene, at a moment if it has one.
+    fn frame(&mut self, still: Scene, moment: Option<f64>, work: &Work<'_>) -> Result<Frame, AnimationError> {
         if self.has_series() && self.layout.is_by_rays() {
             return Err(AnimationError::ByRays);
         }
-        let still = self.frame_scenes.at(moment)?;
         // It is put back once the frame is solved: what fails or is interrupted leaves nothing that belongs
         // to half a frame.
         let anew = self.kept.anew();
         let mut kept = mem::replace(&mut self.kept, anew);
         kept.expansions.iter().for_each(|expansions| expansions.begin());
         let failed = |failure: Failure| AnimationError::of(moment, failure);
-        let Kept { model: before, unknowns, .. } = &mut kept;
+        let Kept { model: before, light: light_before, .. } = &mut kept;
         let model = Model::assemble_again(&still, &self.options, &self.layout, before.as_mut(), work);
         let model = model.map_err(failed)?;
+        let mut unknowns = light_before.as_ref().map(|light| light.start(moment));
         let light = model.frame_light(unknowns.as_mut(), work).map_err(failed)?;
+        if let Some((before, unknowns)) = light_before.as_mut().zip(unknowns) {
+            before.take(moment, unknowns);
+        }
         self.kept = kept;
         let counts = self.kept.expansions.as_ref().map(|expansions| expansions.counts(work.ranks));
         self.counts = counts.unwrap_or_default();
@@ -171,12 +191,12 @@ impl<'a> Sequence<'a> {
         let rays = self.kept.model.as_ref().map_or_else(traced, |kept| kept.blocks.ray_counts());
         self.spent += self.share(&rays);
         self.error = series_error(&model.blocks().statistics.remainders, &light.solution);
-        if self.kept.unknowns.is_some() {
+        if self.kept.light.is_some() {
             let measured = self.measured(&model, &light, work).map_err(failed)?;
             self.error = Some(unsolved(&light.solution).max(measured));
         }
         self.report.take(&still, &light, rays);
-        let frame = Frame::of(still, model.into_visibility(), light);
+        let frame = Frame::of(still, model.into_visibility(self.kept.model.as_mut()), light);
         Ok(Frame { interpolated: self.error, ..frame })
     }
 

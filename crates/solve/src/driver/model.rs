@@ -35,7 +35,7 @@ use super::decisions::{AssemblyPlan, Layout};
 use super::emission::Emission;
 use super::failure::Failure;
 use super::first_light::EnteringLight;
-use super::kept_model::KeptModel;
+use super::kept_model::{KeptModel, WholeBlocks};
 use super::options::Options;
 use super::outcome::{FrameLight, Outcome, Stages, timed};
 use super::ready::{Ready, require_diffuse};
@@ -160,7 +160,9 @@ impl Model {
             kept.blocks.move_to(scene, elements, visibility);
         }
         let mut took = Duration::ZERO;
-        let (blocks, sampling) = timed(&mut took, || carried(scene, &subject, *rays, kept));
+        let known = kept.as_deref_mut().and_then(|kept| kept.unchanged(&senders(scene)));
+        let found = || known.unwrap_or_else(|| carried(scene, &subject, *rays, kept));
+        let (blocks, sampling) = timed(&mut took, found);
         work.report(Progress::Finished { stage: Stage::Blocks, took });
         ready.seconds.blocks = took;
         Self { ready, blocks, sampling }
@@ -239,9 +241,14 @@ impl Model {
         &self.ready.visibility
     }
 
-    /// The visibility between the surfaces, when nothing else of the model is needed any more.
-    pub(crate) fn into_visibility(self) -> Visibility {
-        self.ready.visibility
+    /// The visibility between the surfaces, when nothing else of the model is needed any more but what `kept`
+    /// keeps for the next scene.
+    pub(crate) fn into_visibility(self, kept: Option<&mut KeptModel>) -> Visibility {
+        let Self { ready: Ready { visibility, scene, .. }, blocks, sampling } = self;
+        if let Some(kept) = kept {
+            kept.keep(WholeBlocks { senders: senders(&scene), blocks, sampling });
+        }
+        visibility
     }
 
     /// This model with blocks that were corrected.
@@ -489,6 +496,11 @@ impl Model {
         };
         lit.map(group).collect()
     }
+}
+
+/// Whether each surface of a scene sends light.
+fn senders(scene: &Scene) -> Vec<bool> {
+    scene.surfaces.iter().map(|surface| surface.material.sends()).collect()
 }
 
 /// The largest relative change of the radiosity of an emission in a band.

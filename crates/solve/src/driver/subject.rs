@@ -85,7 +85,7 @@ impl Subject<'_> {
         let sampling = self.worth(&transport, rays, planned);
         let blocks = transport.blocks(Rays::All);
         match kept {
-            Some(KeptModel { blocks, standing: Some(standing) }) => {
+            Some(KeptModel { blocks, standing: Some(standing), .. }) => {
                 transport.keep_standing(&mut standing.rays, blocks);
                 standing.tell(sampling);
             }
@@ -97,7 +97,7 @@ impl Subject<'_> {
     /// The blocks by the rays of the scene before, where these stand.
     fn follow(&self, rays: u64, kept: &mut KeptModel) -> Option<(Blocks, Sampling)> {
         let Self { elements, visibility, work, .. } = *self;
-        let KeptModel { blocks: kept, standing } = kept;
+        let KeptModel { blocks: kept, standing, .. } = kept;
         let standing = standing.as_mut()?;
         let accuracy = self.accuracy(rays);
         let transport =

@@ -26,6 +26,12 @@ pub(crate) struct SceneChange {
 }
 
 impl SceneChange {
+    /// Whether nothing has changed.
+    pub(super) fn is_none(&self) -> bool {
+        let Self { elements, surfaces, starts } = self;
+        ![elements, surfaces, starts].into_iter().flatten().any(|is_other| *is_other)
+    }
+
     /// Whether the rays of an element of a surface leave it otherwise than in the scene before.
     pub(crate) fn is_moved(&self, element: usize, surface: usize) -> bool {
         self.elements[element] || self.surfaces[surface] || self.starts[surface]
