@@ -138,6 +138,7 @@ impl From<AnimationError> for CliError {
             AnimationError::Unsolved { moment, failure } => {
                 Self::Frame { moment, cause: Box::new(Self::Solve(*failure)) }
             }
+            AnimationError::UnsolvedByHand { failure } => Self::Solve(*failure),
             AnimationError::ByRays => {
                 Self::refused(error.to_string(), "add --transport exact, or choose another --animation")
             }

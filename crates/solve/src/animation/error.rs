@@ -19,22 +19,28 @@ pub enum AnimationError {
     )]
     Masked,
     /// The light of a moment was not found.
-    #[error("{}{failure}", frame(*moment))]
+    #[error("frame {moment}: {failure}")]
     Unsolved {
-        /// The moment, in frames; None where the movers were placed by hand.
-        moment: Option<f64>,
+        /// The moment, in frames.
+        moment: f64,
         /// Failure of the solution of that moment.
+        failure: Box<Failure>,
+    },
+    /// The light of movers that were placed by hand was not found.
+    #[error("{failure}")]
+    UnsolvedByHand {
+        /// Failure of the solution.
         failure: Box<Failure>,
     },
 }
 
-fn frame(moment: Option<f64>) -> String {
-    moment.map_or_else(String::new, |moment| format!("frame {moment}: "))
-}
-
 impl AnimationError {
-    /// The error of a moment (frames).
+    /// The error of a moment (frames), or of movers that were placed by hand.
     pub(super) fn of(moment: impl Into<Option<f64>>, failure: Failure) -> Self {
-        Self::Unsolved { moment: moment.into(), failure: Box::new(failure) }
+        let failure = Box::new(failure);
+        match moment.into() {
+            Some(moment) => Self::Unsolved { moment, failure },
+            None => Self::UnsolvedByHand { failure },
+        }
     }
 }
