@@ -1,23 +1,26 @@
-//! Ways to follow moving things: seconds of CPU, frames a second, when the set-up is repaid, and how far the
-//! light is from that of a fresh solution.
+//! Ways to follow moving things: seconds of CPU by stages, how far the light is from that of frames alone, and
+//! how far it is in truth.
 //!
-//! `cargo run --release -p radiosity-studies --bin animation -- [--frames N] [--order N]
-//! [--split] [--auto] [--no-shadows] [SCENE...]`
+//! `cargo run --release -p radiosity-studies --bin animation -- [--frames N] [--order N] [--split] [--auto]
+//! [--no-shadows] [--ways a,b] [SCENE...]`
 //!
 //! All ways solve the same frames of a scene with the same options, on one thread. `fresh` solves each by
-//! itself, ten of them at most, spread over the path; `selective` one after the other; `path` interpolates
-//! light; `series` sums blocks of power series. The error is the largest of any frame that was solved fresh:
-//! the relative L2 of the coefficients of irradiance. Of the rays between elements, where these carry the
-//! pairs (`--auto`), it is told which part was traced for frames after the first. `gain` is the time of fresh
-//! frames over that of this way, for all frames together; `afterwards` that for one frame more when all is
-//! set up. `repaid` is the number of frames from which on all together take less CPU than fresh ones, in
-//! brackets the same counted in blocks.
+//! itself, ten of them at most, spread over the path; `selective` one after the other, to the bit;
+//! `incremental` solves for what has changed; `path` interpolates light; `series` sums blocks of power series.
+//! Times are for one frame: `transport` is direct light and blocks, `solve` the linear systems, `all` all that
+//! is done before anything is read. `off` is the largest difference of any frame that was also solved fresh:
+//! the relative L2 of the coefficients of irradiance; `told` is what the way says of it. `error` is the
+//! relative L2, over surfaces, of their mean irradiance, against frames of a tenth of the accuracies, or ten
+//! times the rays, of three frames. `gain` is the time of fresh frames over that of this way, for transport and
+//! solution, and for all.
 //!
 //! Without a scene: a lamp that slides along a ceiling and one that swings over a table, each without
 //! shadows, as the source has them, and with, beside the two tables of the source: D. Arquès, V. Biri, S.
-//! Michelin (2001), whose light passes through all bodies. About a minute.
+//! Michelin (2001), whose light passes through all bodies. A minute or two.
 
 #![expect(clippy::print_stdout, reason = "tables for people")]
+
+use std::time::Duration;
 
 use cpu_time::ProcessTime;
 
@@ -25,18 +28,25 @@ use radiosity::Work;
 use radiosity::scene::{Scene, Source};
 use radiosity::solve::animation::follower::{FollowMode, Follower};
 use radiosity::solve::animation::frame::Frame;
-use radiosity::solve::{Direct, Options, Transport};
-use radiosity::transport::RayCounts;
+use radiosity::solve::{Direct, Options, Stages, Transport};
 use radiosity::visibility::Shadows;
 
-/// Most frames that are solved fresh.
+/// Most frames that are solved fresh, and frames that are solved to a tenth of the error.
 const FRESH: usize = 10;
+const REFERENCES: usize = 3;
 
 /// Relative error of interpolation, and of blocks by series.
 const TOLERANCE: f64 = 1e-4;
 
-const WAYS: [(FollowMode, &str); 3] = [
+/// Accuracy of reference frames over that of the others.
+const FINER: f64 = 0.1;
+
+/// Rays of reference frames: ten times those of the others.
+const REFERENCE_RAYS: u64 = 4_000_000;
+
+const WAYS: [(FollowMode, &str); 4] = [
     (FollowMode::Selective, "selective"),
+    (FollowMode::Incremental, "incremental"),
     (FollowMode::Path { tolerance: TOLERANCE }, "path"),
     (FollowMode::Series { tolerance: TOLERANCE }, "series"),
 ];
@@ -96,29 +106,26 @@ const SOURCE: [Printed; 2] = [
 struct Asked {
     frames: Option<usize>,
     options: Options,
+    ways: Option<String>,
     scenes: Vec<String>,
 }
 
 fn main() {
-    let Asked { frames, options, scenes } = asked();
+    let asked = asked();
     println!(
-        "| scene | way | frames | solved | CPU s | CPU s a frame | frames/s | error | told | bits | rays traced | gain | afterwards | repaid |"
+        "| scene | way | frames | solved | transport CPU s | solve CPU s | all CPU s | off | told | error | rays traced | gain of both | gain of all |"
     );
-    println!("|{}{}{}{}", " --- |".repeat(4), " ---: |".repeat(3), " --- |".repeat(4), " ---: |".repeat(3));
-    let compared = |name: &str, scene: &Scene, options: &Options| {
-        let count = frames.unwrap_or(scene.frames()).min(scene.frames());
-        compare(name, scene, options, count);
-    };
-    for name in &scenes {
-        compared(name, &radiosity::load(name).expect("a scene with motions"), &options);
+    println!("|{}{}{}{}", " --- |".repeat(4), " ---: |".repeat(3), " --- |".repeat(4), " ---: |".repeat(2));
+    for name in &asked.scenes {
+        asked.compare(name, &radiosity::load(name).expect("a scene with motions"), &asked.options);
     }
-    if scenes.is_empty() {
+    if asked.scenes.is_empty() {
         let sliding = radiosity::builtin("sliding-light").expect("it is built in");
         let swinging = radiosity::language::read(&Source::new("swinging.toml", SWING)).expect("it is valid");
         for (name, scene) in [("sliding light", &sliding), ("swinging lamp", &swinging)] {
-            let without = Options { shadows: Shadows::Off, ..options };
-            compared(&format!("{name}, no shadows"), scene, &without);
-            compared(name, scene, &options);
+            let without = Options { shadows: Shadows::Off, ..asked.options };
+            asked.compare(&format!("{name}, no shadows"), scene, &without);
+            asked.compare(name, scene, &asked.options);
         }
         SOURCE.iter().for_each(print_source);
     }
@@ -133,6 +140,7 @@ fn asked() -> Asked {
             threads: 1,
             ..Options::default()
         },
+        ways: None,
         scenes: Vec::new(),
     };
     let mut words = std::env::args().skip(1);
@@ -144,6 +152,7 @@ fn asked() -> Asked {
             "--split" => asked.options.direct = Direct::Auto,
             "--auto" => asked.options.transport = Transport::Auto,
             "--no-shadows" => asked.options.shadows = Shadows::Off,
+            "--ways" => asked.ways = words.next(),
             _ => asked.scenes.push(word),
         }
     }
@@ -154,115 +163,152 @@ fn asked() -> Asked {
 fn print_source(&Printed { title, set_up, each, alone, frames }: &Printed) {
     let count = frames as f64;
     let (total, fresh) = (set_up + count * each, count * alone);
-    println!("| {title} | fresh | {frames} | | {fresh:.0} | {alone} | {:.2} | | | | | 1 | | |", 1.0 / alone);
-    println!(
-        "| {title} | series | {frames} | | {total:.0} | {:.2} | {:.2} | | | | | {:.1} | {:.1} | {:.0} |",
-        total / count,
-        count / total,
-        fresh / total,
-        alone / each,
-        (set_up / (alone - each)).ceil()
-    );
+    println!("| {title} | fresh | {frames} | | | | {alone} | | | | | 1 | 1 |");
+    println!("| {title} | series | {frames} | | | | {:.2} | | | | | | {:.1} |", total / count, fresh / total);
 }
 
-/// The frames that are solved fresh, and seconds of CPU for one.
+/// Frames that are solved fresh, and their times.
 struct Fresh {
     numbers: Vec<usize>,
     frames: Vec<Frame>,
-    each: f64,
+    times: Times,
+}
+
+/// Seconds of CPU for a frame.
+#[derive(Clone, Copy)]
+struct Times {
+    transport: f64,
+    solve: f64,
+    all: f64,
+}
+
+impl Times {
+    /// The times of a frame, where so many took so much in these stages and in all.
+    fn of(Stages { blocks, direct, solve, .. }: Stages, all: Duration, frames: usize) -> Self {
+        let each = |time: Duration| time.as_secs_f64() / frames as f64;
+        Self { transport: each(blocks + direct), solve: each(solve), all: each(all) }
+    }
+
+    fn both(&self) -> f64 {
+        self.transport + self.solve
+    }
 }
 
 impl Fresh {
-    fn of(scene: &Scene, options: &Options, count: usize) -> Self {
-        let last = count - 1;
-        let numbers: Vec<usize> =
-            (0..FRESH.min(count)).map(|k| k * last / (FRESH.min(count) - 1).max(1)).collect();
+    /// So many frames, spread over all of `count`.
+    fn of(scene: &Scene, options: &Options, frames: usize, count: usize) -> Self {
+        let (frames, last) = (frames.min(count), count - 1);
+        let numbers: Vec<usize> = (0..frames).map(|k| k * last / (frames - 1).max(1)).collect();
         let mut follower = Follower::new(scene, options, FollowMode::Fresh, [0, last]);
         let begun = ProcessTime::now();
         let frames: Vec<Frame> = numbers.iter().map(|frame| frame_of(&mut follower, *frame)).collect();
-        let each = begun.elapsed().as_secs_f64() / numbers.len() as f64;
-        Self { numbers, frames, each }
+        let times = Times::of(follower.report().seconds, begun.elapsed(), frames.len());
+        Self { numbers, frames, times }
+    }
+
+    /// The largest difference of `frame`, if it is one of these, by this measure.
+    fn off(&self, number: usize, frame: &Frame, apart: fn(&Frame, &Frame) -> f64) -> f64 {
+        let place = self.numbers.binary_search(&number);
+        place.map_or(0.0, |place| apart(frame, &self.frames[place]))
     }
 }
 
-fn compare(name: &str, scene: &Scene, options: &Options, count: usize) {
-    let fresh = Fresh::of(scene, options, count);
-    let (solved, alone) = (fresh.numbers.len(), fresh.each);
-    println!("| {name} | fresh | {solved} | {solved} | | {alone:.4} | {:.0} | | | | | 1 | | |", 1.0 / alone);
-    for (way, title) in WAYS {
-        let mut follower = Follower::new(scene, options, way, [0, count - 1]);
-        let (mut error, mut same, mut spent) = (0.0f64, true, 0.0);
-        let mut first = RayCounts::default();
-        let mut repaid = None;
-        for frame in 0..count {
-            let begun = ProcessTime::now();
-            let now = frame_of(&mut follower, frame);
-            spent += begun.elapsed().as_secs_f64();
-            if frame == 0 {
-                first = follower.report().rays;
-            }
-            let is_less = spent < (frame + 1) as f64 * alone;
-            repaid = is_less.then(|| repaid.unwrap_or(frame + 1));
-            if let Ok(place) = fresh.numbers.binary_search(&frame) {
-                error = error.max(apart(&now, &fresh.frames[place]));
-                same &= bits(&now) == bits(&fresh.frames[place]);
+impl Asked {
+    fn compare(&self, name: &str, scene: &Scene, options: &Options) {
+        let count = self.frames.unwrap_or(scene.frames()).min(scene.frames());
+        let fresh = Fresh::of(scene, options, FRESH, count);
+        let references = Fresh::of(scene, &finer(options, &fresh.frames[0]), REFERENCES, count);
+        let Times { transport, solve, all } = fresh.times;
+        let error = fresh.numbers.iter().zip(&fresh.frames);
+        let error =
+            error.fold(0.0f64, |most, (number, own)| most.max(references.off(*number, own, by_surfaces)));
+        println!(
+            "| {name} | fresh | {} | | {transport:.4} | {solve:.4} | {all:.4} | | | {error:.1e} | | 1 | 1 |",
+            fresh.numbers.len()
+        );
+        for (way, title) in WAYS {
+            if self.ways.as_ref().is_none_or(|ways| ways.split(',').any(|own| own == title)) {
+                follow(&format!("{name} | {title}"), [&fresh, &references], way, (scene, options, count));
             }
         }
-        let in_blocks = follower.repaid();
-        let rays = follower.report().rays;
-        let (solved, told) = (follower.solved(), follower.error());
-        // Path: all frames again. Else: the last one and the one before it by turns, as the last one alone is
-        // known to the bit.
-        let again: Vec<usize> = match way {
-            FollowMode::Path { .. } => (0..count).collect(),
-            _ => [count - 2, count - 1].repeat(3),
-        };
+    }
+}
+
+/// Prints the row of a way.
+fn follow(title: &str, [fresh, references]: [&Fresh; 2], way: FollowMode, what: (&Scene, &Options, usize)) {
+    let (scene, options, count) = what;
+    let mut follower = Follower::new(scene, options, way, [0, count - 1]);
+    let (mut off, mut error, mut spent, mut first) = (0.0f64, 0.0f64, Duration::ZERO, 0);
+    for number in 0..count {
         let begun = ProcessTime::now();
-        again.iter().for_each(|frame| drop(frame_of(&mut follower, *frame)));
-        let afterwards = begun.elapsed().as_secs_f64() / again.len() as f64;
-        let each = spent / count as f64;
-        println!(
-            "| {name} | {title} | {count} | {solved} | {spent:.2} | {each:.4} | {:.0} | {error:.1e} | {} | {} | {} | {:.1} | {:.1} | {} ({}) |",
-            1.0 / each,
-            told.map_or("-".to_owned(), |told| format!("{told:.1e}")),
-            if same { "same" } else { "other" },
-            traced(&first, &rays),
-            alone / each,
-            alone / afterwards,
-            frames_or_never(repaid),
-            frames_or_never(in_blocks)
-        );
+        let Ok(frame) = follower.frame(number, &Work::alone()) else {
+            return println!("| {title} | | | | | | | | | by rays | | |");
+        };
+        spent += begun.elapsed();
+        if number == 0 {
+            first = follower.report().rays.traced;
+        }
+        off = off.max(fresh.off(number, &frame, by_coefficients));
+        error = error.max(references.off(number, &frame, by_surfaces));
     }
-}
-
-/// The part of the rays after the first ones that was traced.
-fn traced(first: &RayCounts, all: &RayCounts) -> String {
-    let (traced, recalled) = (all.traced - first.traced, all.recalled - first.recalled);
-    match traced + recalled {
+    let report = follower.report();
+    let times @ Times { transport, solve, all } = Times::of(report.seconds, spent, count);
+    let sent = report.rays.traced + report.rays.recalled - first;
+    let traced = match sent {
         0 => String::new(),
-        sent => format!("{:.1} %", 100.0 * traced as f64 / sent as f64),
-    }
+        sent => format!("{:.1} %", 100.0 * (report.rays.traced - first) as f64 / sent as f64),
+    };
+    println!(
+        "| {title} | {count} | {} | {transport:.4} | {solve:.4} | {all:.4} | {off:.1e} | {} | {error:.1e} | {traced} | {:.1} | {:.1} |",
+        follower.solved(),
+        follower.error().map_or(String::new(), |told| format!("{told:.1e}")),
+        fresh.times.both() / times.both(),
+        fresh.times.all / all,
+    );
 }
 
-fn frames_or_never(frames: Option<usize>) -> String {
-    frames.map_or("never".to_owned(), |frames| frames.to_string())
+/// Options of a tenth of the error, as frames by these options were solved.
+fn finer(options: &Options, frames: &Frame) -> Options {
+    let by_rays = frames.rays > 0.0;
+    Options {
+        eps: FINER * options.eps,
+        shadow_eps: FINER * options.shadow_eps,
+        transport: if by_rays { Transport::Sampled } else { Transport::Exact },
+        rays: by_rays.then_some(REFERENCE_RAYS),
+        ..*options
+    }
 }
 
 fn frame_of(follower: &mut Follower<'_>, frame: usize) -> Frame {
     follower.frame(frame, &Work::alone()).expect("the frame can be solved")
 }
 
-fn bits(frame: &Frame) -> Vec<u64> {
-    let bands = frame.solution.bands().iter();
-    bands.flat_map(|band| &band.coefficients.irradiance).map(|h| h.to_bits()).collect()
-}
-
-fn apart(frame: &Frame, right: &Frame) -> f64 {
+/// Relative L2 difference of the coefficients of irradiance, largest of the bands.
+fn by_coefficients(frame: &Frame, right: &Frame) -> f64 {
     let pairs = frame.solution.bands().iter().zip(right.solution.bands());
     let relative = pairs.map(|(own, other)| {
         let [own, other] = [own, other].map(|band| &band.coefficients.irradiance);
-        let difference: f64 = own.iter().zip(other).map(|(a, b)| (a - b).powi(2)).sum();
-        (difference / other.iter().map(|h| h * h).sum::<f64>()).sqrt()
+        relative_difference(own, other, &vec![1.0; own.len()])
     });
     relative.fold(0.0, f64::max)
+}
+
+/// Relative L2 difference, over surfaces, of their mean irradiance, largest of the bands.
+fn by_surfaces(frame: &Frame, right: &Frame) -> f64 {
+    let surfaces = 0..frame.scene.surfaces.len();
+    let areas: Vec<f64> = surfaces.clone().map(|own| frame.scene.surfaces[own].shape.area()).collect();
+    let of_band = |band: usize| {
+        let means = |frame: &Frame| -> Vec<f64> {
+            surfaces.clone().map(|own| frame.solution.mean_irradiance(band, own)).collect()
+        };
+        relative_difference(&means(frame), &means(right), &areas)
+    };
+    (0..frame.solution.bands().len()).map(of_band).fold(0.0, f64::max)
+}
+
+fn relative_difference(own: &[f64], other: &[f64], weights: &[f64]) -> f64 {
+    let terms = own.iter().zip(other).zip(weights);
+    let difference: f64 = terms.map(|((a, b), weight)| weight * (a - b).powi(2)).sum();
+    let size: f64 = other.iter().zip(weights).map(|(h, weight)| weight * h * h).sum();
+    if difference == 0.0 { 0.0 } else { (difference / size).sqrt() }
 }

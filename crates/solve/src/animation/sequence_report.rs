@@ -4,7 +4,7 @@ use radiosity_kernel::WorstError;
 use radiosity_scene::Scene;
 use radiosity_transport::RayCounts;
 
-use crate::driver::FrameLight;
+use crate::driver::{FrameLight, Stages};
 
 /// Cost and error of the moments that were solved, all together.
 #[derive(Clone, Debug, Default)]
@@ -13,6 +13,8 @@ pub struct SequenceReport {
     pub moments: usize,
     /// Rays that were sent between elements.
     pub rays: RayCounts,
+    /// Wall time of all stages.
+    pub seconds: Stages,
     /// Moments at which the solver did not converge.
     pub unconverged: Unconverged,
     /// Moments at which transfers miss what was asked of them.
@@ -45,6 +47,7 @@ impl SequenceReport {
     /// Adds the solution of the scene of a moment, for which these rays were sent.
     pub(super) fn take(&mut self, scene: &Scene, light: &FrameLight, rays: RayCounts) {
         self.moments += 1;
+        self.seconds += light.seconds;
         self.rays.traced += rays.traced;
         self.rays.recalled += rays.recalled;
         if !light.converged {

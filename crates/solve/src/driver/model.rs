@@ -308,7 +308,8 @@ impl Model {
         let emissions = Emission::all(scene, self.ready.elements.list());
         let first = self.ready.first_light(scene, &emissions, work.ranks);
         let before = unknowns.as_deref().map_or(&[][..], |own| own);
-        let light = self.light(scene, &emissions, &first, before, work)?;
+        let mut seconds = self.ready.seconds;
+        let light = timed(&mut seconds.solve, || self.light(scene, &emissions, &first, before, work))?;
         let (entered, mut light) = self.through_masks(scene, Entered { emissions, first }, light, work)?;
         if let Some(unknowns) = unknowns {
             *unknowns = mem::take(&mut light.unknowns);
@@ -321,6 +322,7 @@ impl Model {
             converged,
             worst_error: self.blocks.statistics.worst_error,
             sampling: self.sampling,
+            seconds,
         })
     }
 

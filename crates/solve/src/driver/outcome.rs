@@ -1,5 +1,6 @@
 //! The solution with its cost and self-checks.
 
+use std::ops::AddAssign;
 use std::time::{Duration, Instant};
 
 use radiosity_kernel::{PairCounts, WorstError};
@@ -75,6 +76,8 @@ pub(crate) struct FrameLight {
     pub worst_error: Option<WorstError>,
     /// As [`Outcome::sampling`].
     pub sampling: Option<Sampling>,
+    /// As [`Outcome::seconds`].
+    pub seconds: Stages,
 }
 
 impl FrameLight {
@@ -129,6 +132,18 @@ pub struct Stages {
     pub solve: Duration,
     /// Estimation of the error from gathered light, where an accuracy is wanted.
     pub estimate: Duration,
+}
+
+impl AddAssign for Stages {
+    fn add_assign(&mut self, other: Self) {
+        let Self { elements, visibility, blocks, direct, solve, estimate } = self;
+        *elements += other.elements;
+        *visibility += other.visibility;
+        *blocks += other.blocks;
+        *direct += other.direct;
+        *solve += other.solve;
+        *estimate += other.estimate;
+    }
 }
 
 /// Runs `work`, and stores its wall time in `stage`.
