@@ -185,6 +185,25 @@ fn nothing_is_integrated_or_traced_where_emission_alone_changes() {
 }
 
 #[test]
+fn light_that_follows_from_the_frame_before_goes_out_and_comes_back() {
+    let scene = room(9, DIMMED);
+    for options in [exact(Direct::Auto), exact(Direct::Projected), by_rays()] {
+        let fresh = frames(&scene, &options, FollowMode::Fresh, &NUMBERS);
+        let followed = frames(&scene, &options, FollowMode::Incremental, &NUMBERS);
+        for ((fresh, followed), number) in fresh.iter().zip(&followed).zip(NUMBERS) {
+            if number == 4 {
+                assert!(bits(&followed.solution).iter().all(|x| f64::from_bits(*x) == 0.0), "it is dark");
+                continue;
+            }
+            // By rays that stand each has noise of its own; else the difference is solved to 1e-5.
+            let most = if fresh.rays > 0.0 { 2.0 * (fresh.rays + followed.rays) } else { 1e-4 };
+            let apart = apart(&followed.solution, &fresh.solution);
+            assert!(apart <= most, "{number} {:?}: {apart:e}", options.transport);
+        }
+    }
+}
+
+#[test]
 fn light_between_bends_of_the_emission_is_interpolated() {
     let scene = room(
         161,
