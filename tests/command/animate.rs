@@ -224,7 +224,8 @@ fn what_cannot_be_animated_is_refused_with_a_cure() {
     };
     refused(folder, &["animate", "cornell-box"], &["nothing moves", "help: "]);
     refuse(&["--frames", "3..12"], &["12", "11"]);
-    refuse(&["--frames", "5..3"], &["0..99"]);
+    refuse(&["--frames", "5..3"], &["frame 5 comes after frame 3", "write 3..5"]);
+    refuse(&["--frames", "5-3"], &["0..99"]);
     refuse(&["-o", "all.png"], &["one name for all frames", "frame-####.png"]);
     refuse(&["-o", "film.avi"], &["names no kind of pictures", ".gif"]);
     refuse(&["-o", "no/f-#.png"], &["its folder does not exist"]);
@@ -240,12 +241,33 @@ fn what_cannot_be_animated_is_refused_with_a_cure() {
 }
 
 #[test]
+fn what_passes_through_another_is_told_before_the_frames_are_made() {
+    // The right edge of the lamp moves from 0.4 to 0.7, by 0.3/11 a frame: it reaches the gate after frame 5,
+    // and the blade, which is no higher than the lamp is, in none.
+    let things = "[[surfaces]]\nname = \"gate\"\nmaterial = \"wall\"\ntwo_sided = true\n\
+                  parallelogram = { origin = [0.55,0.3,0.8], edge1 = [0,0.4,0], edge2 = [0,0,0.15] }\n\
+                  [[surfaces]]\nname = \"blade\"\nmaterial = \"wall\"\ntwo_sided = true\n\
+                  parallelogram = { origin = [0.6,0.3,0.6], edge1 = [0,0.4,0], edge2 = [0,0,0.2] }\n";
+    let room = ROOM.replace("[[motion]]", &format!("{things}[[motion]]"));
+    let folder = folder(&[("room.toml", room.as_str()), ("points.csv", POINTS)]);
+    let animate = ["animate", "room.toml", "--probe", "points.csv", "--order", "0"];
+    let told = |more: &[&str]| done(folder.path(), &[&animate[..], more].concat())[1].clone();
+    let all = told(&[]);
+    let warned =
+        "warning: surface \"lamp\" passes through \"gate\" in frames 6 to 11: lead its path past that\n";
+    assert!(all.starts_with(warned) && all.matches("warning").count() == 1, "{all}");
+    assert!(!told(&["--frames", "0..4"]).contains("warning"));
+    assert!(told(&["--frames", "5..6"]).contains("passes through \"gate\" in frame 6"));
+    assert!(told(&["-q"]).is_empty());
+}
+
+#[test]
 fn series_tell_their_error_and_when_they_are_repaid() {
     let folder = folder(&[("room.toml", ROOM), ("points.csv", POINTS)]);
     let animate = ["animate", "room.toml", "--probe", "points.csv", "--transport", "exact", "--order", "1"];
     let told = |more: &[&str]| done(folder.path(), &[&animate[..], more].concat());
     let [table, line] = told(&["--animation", "series"]);
-    assert!(line.contains("by series to ") && line.contains("set-up "), "{line}");
+    assert!(line.contains("known to ") && line.contains("set-up "), "{line}");
     let [fresh, line] = told(&["--animation", "fresh"]);
     assert!(!line.contains("set-up"), "{line}");
     for (own, right) in rows(&table).iter().zip(rows(&fresh)) {

@@ -125,7 +125,9 @@ fn check_tells_of_motions_and_of_passages() {
     let [text, _] = done(folder.path(), &["check", "moving.toml"]);
     assert!(text.contains("frames: 5, 0 to 4\n") && text.contains("motion: up moves roof\n"), "{text}");
     // Over the roof the slab is from 1.3 to 1.4 high, and the roof is 1 and 1.5 high in frames 0 and 1.
-    assert!(!text.contains("passes through"), "{text}");
+    let warned =
+        "warning: surface \"roof\" passes through \"slab\" between frames 0 and 1: lead its path past that";
+    assert!(text.contains(warned), "{text}");
     let tilted = slab.replace("[0,3,0.3]", "[0,3,0.6]");
     fs::write(folder.path().join("moving.toml"), squares(1.0, &format!("{tilted}{UP}"))).unwrap();
     let [text, _] = done(folder.path(), &["check", "moving.toml"]);
@@ -137,6 +139,7 @@ fn check_tells_of_motions_and_of_passages() {
     assert_eq!(json["animation"]["frames"], 5);
     assert_eq!(json["animation"]["motions"][0]["surfaces"][0], "roof");
     assert_eq!(json["animation"]["passages"][0]["through"], "slab");
+    assert_eq!(json["animation"]["passages"][0]["frames"], serde_json::json!([1]));
     // Each frame by itself is a still scene.
     let [text, _] = done(folder.path(), &["check", "moving.toml", "--frame", "0"]);
     assert!(!text.contains("frames:") && !text.contains("passes through"), "{text}");

@@ -23,9 +23,11 @@ use radiosity_request::ReadRequest;
 use radiosity_request::picture::{SAMPLES, camera, pixels, require_pixels};
 use radiosity_request::ranges::{Fraction, Positive};
 use radiosity_request::require_all_light;
+use radiosity_scene::Scene;
 use radiosity_solve::animation::follower::{FollowMode, Follower};
 use radiosity_solve::animation::frame::Frame;
 use radiosity_solve::{LightMethod, Options};
+use radiosity_visibility::inspection::passages;
 use radiosity_work::Work;
 use radiosity_work::ranks::Ranks;
 use radiosity_work::wording::{option, words};
@@ -47,8 +49,8 @@ use readings::Readings;
 #[derive(Debug, Args)]
 #[command(mut_arg("scene", |scene| scene.default_value("billiard")), mut_arg("frame", |frame| frame.hide(true)), after_help = "\
 What moves is written in the scene: [[motion]], docs/scene.md. Frames are counted from 0. Light is found anew for every frame, shadows \
-and all; what has not changed is kept, to the bit. Where the path is known and light changes smoothly, it is solved at some moments \
-and interpolated between them, to --path-eps.
+and all; what has not changed is kept, to the bit. Where light changes smoothly along the path, it is solved in some frames \
+and interpolated between them, to --path-eps; elsewhere frames are solved one after the other.
 
 Examples:
   radiosity animate billiard -o out/billiard-####.png
@@ -114,6 +116,9 @@ pub(crate) struct AnimateArgs {
     quiet: bool,
 }
 
+/// Most surfaces that pass through others of which a line tells.
+const LISTED: usize = 4;
+
 /// Way in which frames follow each other.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 enum Follow {
@@ -123,7 +128,7 @@ enum Follow {
     Selective,
     /// One frame after the other; what has changed is added to the light of the frame before.
     Incremental,
-    /// Solved at some moments of the path, interpolated between them.
+    /// Solved in some frames, interpolated between them where light is smooth; elsewhere as selective.
     Path,
     /// One frame after the other; blocks of flat things that are translated, with nothing between, are sums
     /// of power series.
@@ -265,6 +270,9 @@ pub(crate) fn run(args: &AnimateArgs, loaded: Loaded, ranks: &Ranks) -> Result<(
     let asked = args.method.options(ranks);
     args.check_method(&asked)?;
     let range = FrameRange::within(args.frames, scene)?;
+    if !args.quiet {
+        warn_of_passages(scene, range.ends(), ranks);
+    }
     let points = args.probe.as_deref().map(|points| Points::load(points, ranks)).transpose()?;
     let film = args.film(&loaded, range.ends()[0], ranks)?;
     let (progress, deadline) = (Progress::new(args.quiet, ranks), args.method.deadline());
@@ -295,6 +303,22 @@ pub(crate) fn run(args: &AnimateArgs, loaded: Loaded, ranks: &Ranks) -> Result<(
         console::tell(&lines, ranks);
     }
     Ok(())
+}
+
+/// Tells which surfaces pass through others in these frames or between them.
+fn warn_of_passages(scene: &Scene, frames: [usize; 2], ranks: &Ranks) {
+    let passages = passages(scene, frames);
+    let mut lines: Vec<String> = passages
+        .iter()
+        .take(LISTED)
+        .map(|passage| format!("warning: {}", passage.warning().message))
+        .collect();
+    if let Some(rest) = passages.len().checked_sub(LISTED).filter(|rest| *rest > 0) {
+        lines.push(format!("warning: {rest} more pairs do; radiosity check names them all"));
+    }
+    if !lines.is_empty() {
+        console::tell(&lines, ranks);
+    }
 }
 
 /// Progress of the frames in words: `done` of `count` are behind, of which so many were made.

@@ -295,8 +295,7 @@ fn motion_json(scene: &Scene, inspection: &Inspection) -> Option<Value> {
             "camera": mover.camera, "moves": mover.has_path(), "dims": mover.emission.is_some(),
         })
     };
-    let passage =
-        |own: &Passage| json!({ "surface": own.surface, "through": own.other, "frames": own.frames });
+    let passage = |own: &Passage| json!({ "surface": own.surface, "through": own.other, "frames": own.frames, "before": own.before });
     Some(json!({
         "frames": frames, "rate": rate, "motions": movers.iter().map(motion).collect::<Vec<_>>(),
         "passages": inspection.passages.iter().map(passage).collect::<Vec<_>>(),

@@ -39,7 +39,7 @@ pub struct Parameter {
 /// Source of the text of a scene.
 #[derive(Debug)]
 enum Text {
-    /// A file with `$name` where the value of a parameter goes.
+    /// One file, or two that make one text, with `$name` where the value of a parameter goes.
     File(&'static str),
     /// A function of the values of the parameters.
     Written(fn(&[f64]) -> String),
@@ -64,7 +64,7 @@ const WALLS: Parameter = Parameter {
 };
 
 /// Every built-in scene, the simplest of each kind first.
-pub(super) static ALL: [Builtin; 15] = [
+pub(super) static ALL: [Builtin; 16] = [
     Builtin {
         name: "cornell-box",
         parameters: &[],
@@ -227,7 +227,24 @@ pub(super) static ALL: [Builtin; 15] = [
             whole: false,
             meaning: "how far the lamp swings to either side, degrees",
         }],
-        text: Text::File(include_str!("../scenes/billiard.toml")),
+        text: Text::File(concat!(
+            include_str!("../scenes/billiard-swing.toml"),
+            include_str!("../scenes/billiard-room.toml")
+        )),
+    },
+    Builtin {
+        name: "billiard-slide",
+        parameters: &[Parameter {
+            name: "slide",
+            default: 0.6,
+            range: [0.05, 1.2],
+            whole: false,
+            meaning: "how far the lamp slides to either side, metres",
+        }],
+        text: Text::File(concat!(
+            include_str!("../scenes/billiard-slide.toml"),
+            include_str!("../scenes/billiard-room.toml")
+        )),
     },
     Builtin {
         name: "cathedral",

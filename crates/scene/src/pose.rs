@@ -65,6 +65,11 @@ impl Pose {
         self.0.point(x)
     }
 
+    /// Position at rest of the point that is at `x` in this pose (scene length).
+    pub fn point_back(&self, x: DVec3) -> DVec3 {
+        self.0.point_back(x)
+    }
+
     /// Direction in this pose of a difference of points at rest, or of a normal.
     pub fn vector(&self, d: DVec3) -> DVec3 {
         self.0.direction(d)

@@ -13,6 +13,7 @@ mod contact;
 mod front;
 mod gap;
 mod luminaires;
+mod leap;
 mod passage;
 
 use std::collections::HashSet;
@@ -22,7 +23,7 @@ use rayon::prelude::*;
 
 pub use contact::SurfaceContact;
 pub use luminaires::NearPoint;
-pub use passage::Passage;
+pub use passage::{Passage, passages};
 pub use regions::Regions;
 pub use shell::{Fronts, Shell};
 pub use warning::Warning;
@@ -69,7 +70,8 @@ impl Inspection {
         warnings.extend(front::turned(&sheets, &groups));
         warnings.extend(front::inside_out(&sheets, &shells, scene.camera.as_ref()));
         warnings.extend(front::blind(&sheets, &lying));
-        let passages = passage::passages(scene, &sheets);
+        let frames = scene.frames().checked_sub(1).map(|last| [0, last]);
+        let passages = frames.map_or_else(Vec::new, |frames| passage::among(scene, &sheets, frames));
         warnings.extend(passages.iter().map(Passage::warning));
         let areas = scene.surfaces.par_iter().map(|surface| surface.shape.area()).collect();
         let near_points = luminaires::near_points(scene);

@@ -23,12 +23,16 @@ impl FromStr for FrameRange {
             Some((first, last)) => number(first).zip(number(last)),
             None => number(text).map(|only| (only, only)),
         };
-        ends.filter(|(first, last)| first <= last).map(|(first, last)| Self { first, last }).ok_or_else(
-            || {
-                "expected the first and the last frame with .. between, such as 0..99, or one number"
-                    .to_owned()
-            },
-        )
+        match ends {
+            Some((first, last)) if first > last => Err(format!(
+                "frame {first} comes after frame {last}, and frames are made forwards: write {last}..{first}"
+            )),
+            Some((first, last)) => Ok(Self { first, last }),
+            None => {
+                Err("expected the first and the last frame with .. between, such as 0..99, or one number"
+                    .to_owned())
+            }
+        }
     }
 }
 
@@ -38,7 +42,16 @@ impl FrameRange {
     /// # Errors
     /// A scene in which nothing moves, or that has fewer frames.
     pub(super) fn within(asked: Option<Self>, scene: &Scene) -> Result<Self, CliError> {
-        // Refuses scenes in which nothing moves, and frames that do not exist.
+        if scene.animation.is_none() {
+            return Err(CliError::refused(
+                format!("{}: nothing moves in this scene", scene.origin),
+                format!(
+                    "add frames = 50 and [[motion]] to it, docs/scene.md, or take one picture: radiosity render {}",
+                    scene.origin
+                ),
+            ));
+        }
+        // Refuses frames that do not exist.
         scene.movers_at(asked.map_or(0, |asked| asked.last))?;
         Ok(asked.unwrap_or(Self { first: 0, last: scene.frames() - 1 }))
     }
@@ -68,6 +81,8 @@ mod tests {
         let read = |text: &str| text.parse::<FrameRange>().map(|range| (range.ends(), range.count()));
         assert_eq!(read("3..7"), Ok(([3, 7], 5)));
         assert_eq!(read("4"), Ok(([4, 4], 1)));
+        let backwards = "7..3".parse::<FrameRange>().expect_err("it runs backwards");
+        assert!(backwards.ends_with("write 3..7"), "{backwards}");
         for wrong in ["", "7..3", "..", "a..b", "-1", "1...2", "1.5"] {
             assert!(read(wrong).is_err(), "{wrong}");
         }

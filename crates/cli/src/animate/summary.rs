@@ -15,12 +15,15 @@ fn cost(follower: &Follower<'_>, frames: usize, seconds: f64) -> String {
     let SequenceReport { moments, rays, noise, .. } = follower.report();
     let mut line = format!("{frames} frames in {seconds:.1} s, {:.2} a second; ", frames as f64 / seconds);
     line += &match follower.segments() {
-        Some(segments) => format!("light solved at {moments} moments, in {segments} segments of the path"),
+        Some(segments @ 1..) => {
+            format!("light solved {moments} times and interpolated in {segments} segments of the path")
+        }
+        Some(0) => format!("light solved {moments} times, nowhere interpolated"),
         None => format!("light solved {moments} times"),
     };
     if let Some(error) = follower.error() {
-        let what = if follower.segments().is_some() { "interpolated" } else { "known" };
-        line += &format!(", {what} to {error:.1e}");
+        let what = if follower.segments().is_some() { " to" } else { ", known to" };
+        line += &format!("{what} {error:.1e}");
     }
     if follower.has_set_up() {
         let counted = if *noise > 0.0 { "rays" } else { "blocks" };

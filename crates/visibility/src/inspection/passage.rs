@@ -1,7 +1,8 @@
 //! Surfaces that pass through others in some frame of a scene in which something moves.
 //!
-//! Some of the frames are looked at, spread evenly from the first to the last. What is moved along one path
-//! stays as it is at rest to each other; of all other pairs those are tested whose boxes overlap.
+//! Some of the frames are looked at, spread evenly from the first to the last, and the step from each to the
+//! next frame ([`super::leap`]). What is moved along one path stays as it is at rest to each other; of all
+//! other pairs those are tested whose boxes overlap.
 
 use std::collections::BTreeMap;
 
@@ -10,13 +11,14 @@ use radiosity_scene::{Scene, SceneError};
 use rayon::prelude::*;
 
 use crate::inspection::{
+    leap,
     sheet::{Sheet, Sheets},
     warning::Warning,
 };
 
-/// Most frames that are looked at: a bound of time. A passage that is shorter than a fiftieth of the
-/// animation may be missed.
-const LOOKED_AT: usize = 50;
+/// Most frames that are looked at: a bound of time. A passage that is shorter than a hundredth of the
+/// frames may be missed.
+const LOOKED_AT: usize = 100;
 
 /// A surface that passes through another one, or lies in it, in some frames.
 #[derive(Clone, Debug, PartialEq)]
@@ -27,49 +29,74 @@ pub struct Passage {
     pub other: Option<String>,
     /// The frames that were looked at in which it does, ascending.
     pub frames: Vec<usize>,
+    /// The frames that were looked at between which and the next one a point of either passes through the
+    /// other, ascending.
+    pub before: Vec<usize>,
     /// Why the frame is refused.
     refusal: Option<String>,
 }
 
 impl Passage {
     /// Warning about the passage.
-    pub(super) fn warning(&self) -> Warning {
-        let [first, last] =
-            [self.frames.first(), self.frames.last()].map(|frame| frame.copied().unwrap_or_default());
-        let when = if first == last { format!("frame {first}") } else { format!("frames {first} to {last}") };
+    pub fn warning(&self) -> Warning {
+        let when = match (self.frames.first().zip(self.frames.last()), self.before.first()) {
+            (Some((first, last)), _) if first == last => format!("in frame {first}"),
+            (Some((first, last)), _) => format!("in frames {first} to {last}"),
+            (None, before) => {
+                let before = before.copied().unwrap_or_default();
+                format!("between frames {before} and {}", before + 1)
+            }
+        };
         match (&self.other, &self.refusal) {
             (Some(other), _) => {
-                let message = format!("passes through {other:?} in {when}: lead its path past that");
+                let message = format!("passes through {other:?} {when}: lead its path past that");
                 Warning::about("passage", &self.surface, message)
             }
             (None, refusal) => {
                 let why = refusal.as_deref().unwrap_or_default();
-                Warning::about("passage", &self.surface, format!("cannot be shown in {when}: {why}"))
+                Warning::about("passage", &self.surface, format!("cannot be shown {when}: {why}"))
             }
         }
     }
 }
 
+/// All passages in the frames `first` to `last` of a scene and between them, in the order of the surfaces;
+/// none where nothing moves.
+pub fn passages(scene: &Scene, frames: [usize; 2]) -> Vec<Passage> {
+    match scene.frames() {
+        0 => Vec::new(),
+        _ => among(scene, &Sheets::of(scene), frames),
+    }
+}
+
 /// The frames that are looked at.
-fn looked_at(frames: usize) -> Vec<usize> {
-    let count = frames.min(LOOKED_AT);
-    let mut all: Vec<usize> = (0..count).map(|k| k * (frames - 1) / (count - 1).max(1)).collect();
+fn looked_at([first, last]: [usize; 2]) -> Vec<usize> {
+    let count = (last - first + 1).min(LOOKED_AT);
+    let mut all: Vec<usize> = (0..count).map(|k| first + k * (last - first) / (count - 1).max(1)).collect();
     all.dedup();
     all
 }
 
-/// All passages, in the order of the surfaces; `rest` are the sheets at rest.
-pub(super) fn passages(scene: &Scene, rest: &Sheets) -> Vec<Passage> {
-    let frames = if scene.frames() == 0 { Vec::new() } else { looked_at(scene.frames()) };
-    let found: Vec<Vec<Pair>> = frames.par_iter().map(|frame| in_frame(scene, rest, *frame)).collect();
-    let mut by_pair: BTreeMap<Pair, Vec<usize>> = BTreeMap::new();
+/// All passages in these frames and between them, in the order of the surfaces; `rest` are the sheets at
+/// rest.
+pub(super) fn among(scene: &Scene, rest: &Sheets, [first, last]: [usize; 2]) -> Vec<Passage> {
+    let frames = looked_at([first, last]);
+    let found = frames.par_iter().map(|frame| {
+        let leaps = if *frame < last { between(scene, rest, *frame) } else { Vec::new() };
+        [in_frame(scene, rest, *frame), leaps]
+    });
+    let found: Vec<[Vec<Pair>; 2]> = found.collect();
+    let mut by_pair: BTreeMap<Pair, [Vec<usize>; 2]> = BTreeMap::new();
     for (frame, pairs) in frames.iter().zip(found) {
-        pairs.into_iter().for_each(|pair| by_pair.entry(pair).or_default().push(*frame));
+        for (kind, pairs) in pairs.into_iter().enumerate() {
+            pairs.into_iter().for_each(|pair| by_pair.entry(pair).or_default()[kind].push(*frame));
+        }
     }
-    let passage = |(pair, frames): (Pair, Vec<usize>)| Passage {
+    let passage = |(pair, [frames, before]): (Pair, [Vec<usize>; 2])| Passage {
         surface: pair.surface,
         other: pair.other,
         frames,
+        before,
         refusal: pair.refusal,
     };
     by_pair.into_iter().map(passage).collect()
@@ -85,6 +112,11 @@ struct Pair {
 }
 
 impl Pair {
+    /// A sheet and another one that it passes through.
+    fn of(own: &Sheet, other: &Sheet) -> Self {
+        Self { index: own.surface, surface: own.name.clone(), other: Some(other.name.clone()), refusal: None }
+    }
+
     /// A frame that is refused, by the surface that is to blame.
     fn refused(error: &SceneError) -> Self {
         let name = error.owner.as_deref().and_then(|owner| owner.split('"').nth(1)).unwrap_or_default();
@@ -116,14 +148,15 @@ fn in_frame(scene: &Scene, rest: &Sheets, frame: usize) -> Vec<Pair> {
             is_later && movers[other.surface] != movers[own.surface] && other.bounds.overlaps(&own.bounds)
         });
         let crossed = standing.chain(moving).filter(|other| crosses(&own.patch(), &other.patch()));
-        pairs.extend(crossed.map(|other| Pair {
-            index: own.surface,
-            surface: own.name.clone(),
-            other: Some(other.name.clone()),
-            refusal: None,
-        }));
+        pairs.extend(crossed.map(|other| Pair::of(own, other)));
     }
     pairs
+}
+
+/// The surfaces that pass through others between a frame and the next one.
+fn between(scene: &Scene, rest: &Sheets, frame: usize) -> Vec<Pair> {
+    let pairs = leap::leaps(scene, rest, frame).into_iter();
+    pairs.map(|[own, other]| Pair::of(&rest.list[own], &rest.list[other])).collect()
 }
 
 fn crosses(own: &Patch<'_>, other: &Patch<'_>) -> bool {
