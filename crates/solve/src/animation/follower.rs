@@ -11,6 +11,10 @@ use super::path_interpolation::PathInterpolation;
 use super::sequence::Sequence;
 use super::sequence_report::SequenceReport;
 
+/// Relative residual of frames between which light is interpolated, over the error that this may have.
+/// Chosen: what is left unsolved is then taken for no bend of the light.
+const OF_INTERPOLATION: f64 = 0.1;
+
 /// Ways in which the light of one frame follows from that of others.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum FollowMode {
@@ -21,7 +25,8 @@ pub enum FollowMode {
     /// As [`FollowMode::Selective`]; only the difference from the frame before is solved for, and rays stand
     /// ([`Sequence::incremental`]).
     Incremental,
-    /// Light is interpolated along the path, by Chebyshev polynomials of time.
+    /// Light is interpolated along the path, by Chebyshev polynomials of time, where it is smooth; all other
+    /// frames as by [`FollowMode::Incremental`].
     Path {
         /// Relative error that interpolation may have.
         tolerance: f64,
@@ -62,7 +67,8 @@ impl<'a> Follower<'a> {
                 FrameSource::Frames(Sequence::by_series(scene, options, tolerance))
             }
             FollowMode::Path { tolerance } => {
-                FrameSource::Path(PathInterpolation::new(Sequence::new(scene, options), frames, tolerance))
+                let sequence = Sequence::incremental_within(scene, options, OF_INTERPOLATION * tolerance);
+                FrameSource::Path(PathInterpolation::new(sequence, frames, tolerance))
             }
         };
         Self { source, break_even: BreakEven::default(), error: None }

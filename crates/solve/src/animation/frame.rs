@@ -15,8 +15,9 @@ pub struct Frame {
     pub visibility: Visibility,
     /// The polynomials of its light.
     pub solution: Solution,
-    /// Estimated relative error of what was interpolated, or its bound where blocks are sums of series; None
-    /// where the frame itself was solved, by integrals.
+    /// Estimated relative error of what was interpolated, or its bound where blocks are sums of series or only
+    /// the difference from another frame was solved for; None where the frame itself was solved, by
+    /// integrals.
     pub interpolated: Option<f64>,
     /// Estimated relative error that rays left in it, where they carried the pairs; else 0.
     pub rays: f64,

@@ -16,8 +16,9 @@
 //! others, light follows shadow edges or the errors of blocks and rays, and no polynomial of few terms will
 //! meet it: some more frames are solved one by one before it is looked again.
 //!
-//! Frames that are solved are as they are alone, to the bit. So is a frame whose elements are not those of
-//! the nodes: things that slide over others change the elements below.
+//! Frames that are solved follow from whichever was solved last ([`Sequence::incremental`]); what they leave
+//! unsolved counts to the error of interpolation. So is a frame whose elements are not those of the nodes:
+//! things that slide over others change the elements below.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -112,9 +113,10 @@ impl<'a> PathInterpolation<'a> {
         self.interpolants().count()
     }
 
-    /// Largest error that is told of any segment so far; None where none was interpolated.
+    /// Largest error that is told of any frame so far.
     pub(super) fn error(&self) -> Option<f64> {
-        self.interpolants().map(|interpolant| interpolant.error).reduce(f64::max)
+        let interpolated = self.interpolants().map(Interpolant::error_told);
+        Some(interpolated.fold(self.report().unsolved, f64::max))
     }
 
     fn interpolants(&self) -> impl Iterator<Item = &Interpolant> {
@@ -162,7 +164,8 @@ impl<'a> PathInterpolation<'a> {
             let elements = elements.map_err(|source| AnimationError::of(moment, source.into()))?;
             if carry_alike(&elements, interpolant.elements()) {
                 let solution = Solution::of_groups(Arc::new(elements), &scene, interpolant.light(frame));
-                return Ok(self.lit(scene, solution, Some(interpolant.error), interpolant.noise()));
+                let error = interpolant.error_told();
+                return Ok(self.lit(scene, solution, error, interpolant.noise()));
             }
         }
         self.solved(frame, work)
@@ -172,13 +175,13 @@ impl<'a> PathInterpolation<'a> {
     fn known(&self, node: &Node) -> Result<Frame, AnimationError> {
         let scene = self.sequence.scene().at_moment(node.frame as f64)?;
         let solution = Solution::of_groups(Arc::clone(&node.elements), &scene, node.light.clone());
-        Ok(self.lit(scene, solution, None, node.noise))
+        Ok(self.lit(scene, solution, node.unsolved, node.noise))
     }
 
     /// The frame of a scene with its light, the error of interpolation and the one that rays left.
-    fn lit(&self, scene: Scene, solution: Solution, interpolated: Option<f64>, rays: f64) -> Frame {
+    fn lit(&self, scene: Scene, solution: Solution, error: f64, rays: f64) -> Frame {
         let visibility = self.sequence.options().visibility(&scene);
-        Frame { scene, visibility, solution, interpolated, rays }
+        Frame { scene, visibility, solution, interpolated: Some(error), rays }
     }
 
     /// Decides how the frames that are ahead next are found, or the first ones of them.
@@ -294,12 +297,13 @@ impl<'a> PathInterpolation<'a> {
             return Ok(Arc::clone(known));
         }
         let (before, is_next) = (self.spent(), self.latest.is_some_and(|latest| latest + 1 == frame));
-        let Frame { solution, rays: noise, .. } = self.solved(frame, work)?;
+        let Frame { solution, rays: noise, interpolated, .. } = self.solved(frame, work)?;
         if is_next {
             self.patience.note_next(self.spent() - before);
         }
         let light = solution.light().ok_or(AnimationError::Masked)?;
-        let node = Arc::new(Node { frame, light, elements: solution.shared_elements(), noise });
+        let unsolved = interpolated.unwrap_or(0.0);
+        let node = Arc::new(Node { frame, light, elements: solution.shared_elements(), noise, unsolved });
         self.nodes.insert(frame, Arc::clone(&node));
         Ok(node)
     }

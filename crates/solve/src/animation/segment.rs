@@ -17,6 +17,8 @@ pub(super) struct Node {
     pub(super) elements: Arc<Elements>,
     /// Relative error that rays left, where they carried the pairs.
     pub(super) noise: f64,
+    /// Relative error of what is left unsolved.
+    pub(super) unsolved: f64,
 }
 
 /// A part of the path.
@@ -95,6 +97,11 @@ impl Interpolant {
     /// A frame that was solved, a node or one between.
     pub(super) fn solved(&self, frame: usize) -> Option<&Arc<Node>> {
         self.nodes.iter().chain(&self.between).find(|node| node.frame == frame)
+    }
+
+    /// Error of the frames that are interpolated, with what the nodes leave unsolved.
+    pub(super) fn error_told(&self) -> f64 {
+        self.error + self.nodes.iter().map(|node| node.unsolved).fold(0.0, f64::max)
     }
 
     /// Largest error that rays left at any node.

@@ -116,12 +116,17 @@ impl<'a> Sequence<'a> {
     }
 
     /// The frames of `scene`, each found from the one before: the difference of the light is solved for, to a
-    /// [part](OF_BLOCK) of the accuracy of blocks, and rays stand where nothing has come into their way.
+    /// part of the accuracy of blocks, and rays stand where nothing has come into their way.
     pub fn incremental(scene: &'a Scene, options: &Options) -> Self {
+        Self::incremental_within(scene, options, f64::INFINITY)
+    }
+
+    /// As [`Sequence::incremental`], solved to this relative residual at least.
+    pub(super) fn incremental_within(scene: &'a Scene, options: &Options, residual: f64) -> Self {
         let fresh = Self::fresh(scene, options);
         let part = if fresh.layout.is_by_rays() { OF_NOISY_BLOCK } else { OF_BLOCK };
-        let options = Options { tolerance: options.tolerance.max(part * options.eps), ..*options };
-        Self { kept: Kept::light_too(), options, ..fresh }
+        let tolerance = options.tolerance.max((part * options.eps).min(residual));
+        Self { kept: Kept::light_too(), options: Options { tolerance, ..*options }, ..fresh }
     }
 
     /// As [`Sequence::new`], but blocks between flat elements that are translated, with nothing between them,
@@ -193,7 +198,9 @@ impl<'a> Sequence<'a> {
         self.error = series_error(&model.blocks().statistics.remainders, &light.solution);
         if self.kept.light.is_some() {
             let measured = self.measured(&model, &light, work).map_err(failed)?;
-            self.error = Some(unsolved(&light.solution).max(measured));
+            let unsolved = unsolved(&light.solution).max(measured);
+            self.report.unsolved = self.report.unsolved.max(unsolved);
+            self.error = Some(unsolved);
         }
         self.report.take(&still, &light, rays);
         let frame = Frame::of(still, model.into_visibility(self.kept.model.as_mut()), light);

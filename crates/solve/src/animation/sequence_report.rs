@@ -21,6 +21,9 @@ pub struct SequenceReport {
     pub missing: usize,
     /// The worst of these transfers.
     pub worst: Option<WorstTransfer>,
+    /// Bound of the relative error, the largest, that is left unsolved where the difference of two moments was
+    /// solved for; 0 where all moments were solved whole.
+    pub unsolved: f64,
     /// Estimated relative error that rays left, the largest; 0 where none carried the pairs.
     pub noise: f64,
 }
