@@ -10,7 +10,7 @@ use super::pair::MovedPair;
 use super::settings::Settings;
 use super::span::Span;
 
-/// What is to be expanded: the parts of a pair that face each other at p = `centre`.
+/// The parts of a pair that face each other at p = `centre`, to be expanded.
 #[derive(Debug)]
 pub(crate) struct Facing<'a> {
     pub pair: MovedPair<'a>,
