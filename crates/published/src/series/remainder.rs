@@ -6,8 +6,8 @@
 //! |Σ_{n>N} φ_n tⁿ| ≤ b_{N+1} |t|^{N+1} Σ_k hᵏ T_{m+k}/T_m ,    h = q |t| < 1 ,  m = max(N + 1 − M, 0)
 //! ```
 //!
-//! The second bound of C_n⁽²⁾ is that of its closed form [sin((n+1)θ)/sin θ − (n+1) cos((n+2)θ)]/(2 sin²θ). M is
-//! the degree of the numerator. All ratios Ξ_{n+k}/Ξ_n are at most T_{m+k}/T_m. Indices below zero count as
+//! M is the degree of the numerator. The second bound of C_n⁽²⁾ is that of its closed form [sin((n+1)θ)/sin θ −
+//! (n+1) cos((n+2)θ)]/(2 sin²θ). All ratios Ξ_{n+k}/Ξ_n are at most T_{m+k}/T_m. Indices below zero count as
 //! zero. The last sum has a closed form of positive terms, by Vandermonde's identity: Σ_k C(m+3+k, 3) hᵏ =
 //! Σ_{j≤3} C(m+3, 3−j) hʲ/(1−h)^{j+1}.
 
@@ -20,7 +20,8 @@ pub(crate) fn gegenbauer_bound(n: usize, sine2: f64) -> f64 {
     everywhere.min(aside)
 }
 
-/// Σ_k hᵏ T_{m+k}/T_m for the terms above order `orders`, with a numerator of this degree; infinite for h ≥ 1.
+/// Σ_k hᵏ T_{m+k}/T_m for the terms above order `orders`, with a numerator of this degree; infinite for h ≥
+/// 1.
 pub(crate) fn tail(orders: usize, degree: usize, h: f64) -> f64 {
     if h.is_nan() || h >= 1.0 {
         return f64::INFINITY;
