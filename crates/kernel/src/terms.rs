@@ -25,6 +25,13 @@ pub struct PatchPair {
     points: [usize; 4],
 }
 
+impl PatchPair {
+    /// Pairs of points.
+    pub fn samples(&self) -> u64 {
+        self.points.iter().map(|n| *n as u64).product()
+    }
+}
+
 /// Accuracy that the rules have to reach, with the degrees and the place of the elements.
 #[derive(Clone, Copy, Debug)]
 pub struct Demand {

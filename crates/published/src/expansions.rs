@@ -119,7 +119,13 @@ impl KnownBlocks for Expansions {
         places.move_to(elements);
     }
 
-    fn block(&self, places: [usize; 2], elements: [&Element; 2], eps: f64) -> Option<Known> {
+    fn block(
+        &self,
+        places: [usize; 2],
+        elements: [&Element; 2],
+        eps: f64,
+        samples: Option<u64>,
+    ) -> Option<Known> {
         let ends = {
             let seen = locked(&self.places);
             [seen.of(places[0])?, seen.of(places[1])?]
@@ -133,10 +139,14 @@ impl KnownBlocks for Expansions {
             return None;
         };
         drop(pairs);
+        if pair.is_integrated {
+            pair.integral = samples;
+        }
         let references = ends.each_ref().map(|place| &*place.reference);
         let factor = (eps / self.eps).clamp(1.0, (LOOSEST / self.tolerance).max(1.0));
         let extent = elements[0].extent + elements[1].extent;
-        let ends = Ends { elements: references, extent, tolerance: factor * self.tolerance };
+        let tolerance = factor * self.tolerance;
+        let ends = Ends { elements: references, extent, tolerance, integral: pair.integral };
         if pair.is_integrated && ends.rests(&pair.place, &now) {
             // The place stays that of the integral, so that rounding does not add up.
             locked(&self.pairs).insert(places, pair);

@@ -21,6 +21,8 @@ pub(super) struct Ends<'a> {
     pub extent: f64,
     /// Error that its block may have, relative to the largest entry.
     pub tolerance: f64,
+    /// Samples of its last integral, if they are known.
+    pub integral: Option<u64>,
 }
 
 impl Ends<'_> {

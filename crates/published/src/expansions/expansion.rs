@@ -9,8 +9,23 @@ use super::ends::Ends;
 /// repaid after three to twelve displacements (`docs/theory/animation.md`).
 pub const ORDERS: usize = 8;
 
-/// Frames within the range for which a pair is expanded. Chosen: an expansion costs about five integrals.
-const PAYS: f64 = 8.0;
+/// Cost of a sample and term of an expansion, over that of a sample of an integral. Measured: 0.2 to 0.3
+/// between patches that are far apart.
+const TERM: f64 = 0.25;
+
+/// Least cost of an expansion (integrals), to tell beforehand where it cannot pay.
+const LEAST_COST: f64 = 3.0;
+
+/// Cost of an expansion (integrals) where that of the integral is not known. Measured: 4.5 to 7.
+const USUAL_COST: f64 = 5.0;
+
+/// Frames within the range for which a pair is expanded, over its cost (integrals). Chosen: more than one, as
+/// not all of the range may be used.
+const PAYS: f64 = 1.5;
+
+/// Part of the tolerance of a block to which it is expanded: its entries may be so much smaller somewhere in
+/// the range than at the centre. Chosen: the range is shorter by a tenth.
+const AT_CENTRE: f64 = 0.4;
 
 /// Part of the range from where the pair is to the centre, so that most of the range lies ahead. Chosen.
 const AHEAD: f64 = 0.6;
@@ -20,6 +35,8 @@ const AHEAD: f64 = 0.6;
 pub(super) struct Expansion {
     series: BlockSeries,
     course: Course,
+    /// About its cost (integrals).
+    cost: f64,
     /// Blocks that were summed.
     sums: usize,
 }
@@ -28,26 +45,21 @@ impl Expansion {
     /// For a pair on a course, p = 0 where it is, which went on by `step` in the last frame. None where there
     /// is no series, or where it would not be repaid if the pair goes on like this.
     pub(super) fn ahead(ends: &Ends, course: Course, step: f64) -> Option<Self> {
-        let Ends { elements: [receiver, emitter], tolerance, .. } = *ends;
+        let Ends { elements: [receiver, emitter], tolerance, integral, .. } = *ends;
         let pair = MovedPair::new(receiver, emitter, course.motion).ok()?.starting(course.start);
-        let settings = Settings { orders: ORDERS, tolerance };
+        let settings = Settings { orders: ORDERS, tolerance: AT_CENTRE * tolerance };
         let reach = pair.reach(settings.reach());
-        let least = PAYS * step.abs();
-        if (1.0 + AHEAD) * reach < least {
+        if (1.0 + AHEAD) * reach < PAYS * LEAST_COST * step.abs() {
             return None;
         }
-        let about = |centre: f64, least: f64| {
+        let about = |centre: f64| {
             let facing = Facing::of(&pair, centre, settings).ok()?;
-            let ahead = facing.range().ahead(step)?;
-            (ahead >= least).then(|| BlockSeries::of(&facing))
+            let cost = cost(facing.samples(), integral);
+            let pays = facing.range().ahead(step)? >= PAYS * cost * step.abs();
+            pays.then(|| Self { series: BlockSeries::of(&facing), course, cost, sums: 0 })
         };
-        let series = match about((AHEAD * reach).copysign(step), least) {
-            Some(series) if series.range().contains(0.0) => series,
-            // The bound is larger than was thought.
-            Some(_) => about(0.0, 0.0)?,
-            None => about(0.0, least)?,
-        };
-        Some(Self { series, course, sums: 0 })
+        let ahead = about((AHEAD * reach).copysign(step));
+        ahead.filter(|expansion| expansion.series.range().contains(0.0)).or_else(|| about(0.0))
     }
 
     /// The course, p = 0 where the pair was expanded.
@@ -66,11 +78,17 @@ impl Expansion {
 
     /// Whether the blocks that were summed cost less than their integrals.
     pub(super) fn is_repaid(&self) -> bool {
-        self.sums as f64 >= PAYS
+        self.sums as f64 >= self.cost
     }
 
     /// Pairs of points at which the kernel was expanded.
     pub(super) fn samples(&self) -> u64 {
         self.series.samples()
     }
+}
+
+/// Cost of an expansion with so many samples (integrals of so many).
+fn cost(samples: u64, integral: Option<u64>) -> f64 {
+    let of = |integral: u64| TERM * (ORDERS + 2) as f64 * samples as f64 / integral.max(1) as f64;
+    integral.map_or(USUAL_COST, of).max(LEAST_COST)
 }

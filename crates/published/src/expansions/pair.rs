@@ -19,6 +19,8 @@ pub(super) struct Pair {
     pub place: Motion,
     /// Whether the kept block was integrated, at this place.
     pub is_integrated: bool,
+    /// Samples of the last integral, if they are known.
+    pub integral: Option<u64>,
     course: Option<Course>,
     /// Frames on this course.
     steady: usize,
@@ -31,7 +33,16 @@ impl Pair {
     /// A pair that is seen for the first time.
     pub(super) fn seen(changes: [u32; 2], place: Motion) -> Self {
         let (course, expansion) = (None, None);
-        Self { changes, place, is_integrated: true, course, steady: 0, patience: 1, expansion }
+        Self {
+            changes,
+            place,
+            is_integrated: true,
+            integral: None,
+            course,
+            steady: 0,
+            patience: 1,
+            expansion,
+        }
     }
 
     /// Takes note of the place of the pair; returns the change of p on its course.

@@ -68,6 +68,11 @@ impl<'a> Facing<'a> {
         Some(())
     }
 
+    /// Pairs of points at which the kernel will be expanded.
+    pub(crate) fn samples(&self) -> u64 {
+        self.parts.iter().map(PatchPair::samples).sum()
+    }
+
     /// The t within which rules have points enough.
     pub(super) fn most(&self) -> f64 {
         self.settings.reach() * self.convergence

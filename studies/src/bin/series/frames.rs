@@ -41,9 +41,26 @@ surfaces = "panel"
 rotate = { center = [1, 1, 0], axis = [0, 0, 1], angles = [20, 70] }
 "#;
 
-/// Order, eps, parts along the edges of surfaces, and whether bodies hide each other.
-const RUNS: [(usize, f64, usize, bool); 4] =
-    [(2, 1e-4, 1, false), (2, 1e-4, 3, false), (4, 1e-6, 3, false), (2, 1e-4, 3, true)];
+struct Run {
+    order: usize,
+    eps: f64,
+    /// Elements along the edges of surfaces.
+    parts: usize,
+    /// Whether bodies hide each other.
+    shadows: bool,
+    /// Distance of moments (frames).
+    step: f64,
+}
+
+const COARSE: Run = Run { order: 2, eps: 1e-4, parts: 1, shadows: false, step: 1.0 };
+const FINE: Run = Run { parts: 3, ..COARSE };
+const RUNS: [Run; 5] = [
+    COARSE,
+    FINE,
+    Run { order: 4, eps: 1e-6, ..FINE },
+    Run { step: 0.1, ..FINE },
+    Run { shadows: true, ..FINE },
+];
 
 /// Prints the table.
 pub(crate) fn frames() {
@@ -51,10 +68,10 @@ pub(crate) fn frames() {
     let door = room(DOOR);
     let sliding = radiosity::builtin("sliding-light").expect("it is built in");
     println!(
-        "| scene | order | eps | parts | shadows | integrated | by series: integrated, summed, expanded | integrated, ms | by series, ms | told |"
+        "| scene | order | eps | parts | step | shadows | integrated | by series: integrated, summed, expanded | integrated, ms | by series, ms | told |"
     );
-    println!("|{}", " --- |".repeat(10));
-    for (order, eps, parts, shadows) in RUNS {
+    println!("|{}", " --- |".repeat(11));
+    for Run { order, eps, parts, shadows, step } in RUNS {
         let options = Options {
             order,
             eps,
@@ -66,11 +83,11 @@ pub(crate) fn frames() {
             ..Options::default()
         };
         for (name, scene) in [("swinging lamp", &swinging), ("door", &door), ("sliding light", &sliding)] {
-            let selective = Cost::of(Sequence::new(scene, &options), scene.frames());
-            let series = Cost::of(Sequence::by_series(scene, &options, eps), scene.frames());
+            let selective = Cost::of(Sequence::new(scene, &options), scene.frames(), step);
+            let series = Cost::of(Sequence::by_series(scene, &options, eps), scene.frames(), step);
             let Cost { integrated, summed, expanded, error, .. } = series;
             println!(
-                "| {name} | {order} | {eps:.0e} | {parts} | {} | {:.0} | {integrated:.0}, {summed:.0}, {expanded:.1} | {:.2} | {:.2} | {error:.0e} |",
+                "| {name} | {order} | {eps:.0e} | {parts} | {step} | {} | {:.0} | {integrated:.0}, {summed:.0}, {expanded:.1} | {:.2} | {:.2} | {error:.0e} |",
                 if shadows { "yes" } else { "no" },
                 selective.integrated,
                 selective.milliseconds,
@@ -95,12 +112,12 @@ struct Cost {
 }
 
 impl Cost {
-    fn of(mut sequence: Sequence<'_>, frames: usize) -> Self {
+    fn of(mut sequence: Sequence<'_>, frames: usize, step: f64) -> Self {
         let mut cost = Self::default();
         let part = 1.0 / (frames - 1) as f64;
         for frame in 0..frames {
             let begun = ProcessTime::now();
-            sequence.at(frame as f64, &Work::alone()).expect("the frame can be solved");
+            sequence.at(step * frame as f64, &Work::alone()).expect("the frame can be solved");
             if frame == 0 {
                 continue;
             }
