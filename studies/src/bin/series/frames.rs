@@ -22,8 +22,8 @@ material = "lamp"
 quad = { vertices = [[2, 1.7, 2.4], [2, 2.3, 2.4], [2.8, 2.3, 2.4], [2.8, 1.7, 2.4]] }
 "#;
 
-/// The lamp swings about a line through its middle.
-const SWINGING: &str = r#"
+/// The lamp turns about a line through its middle.
+const TURNING: &str = r#"
 [[motion]]
 surfaces = "lamp"
 rotate = { center = [2.4, 2, 2.4], axis = [0.3, 1, 0], angles = [-20, 20] }
@@ -64,7 +64,7 @@ const RUNS: [Run; 5] = [
 
 /// Prints the table.
 pub(crate) fn frames() {
-    let swinging = room(SWINGING);
+    let turning = room(TURNING);
     let door = room(DOOR);
     let sliding = radiosity::builtin("sliding-light").expect("it is built in");
     println!(
@@ -82,7 +82,7 @@ pub(crate) fn frames() {
             shadows: if shadows { Options::default().shadows } else { Shadows::Off },
             ..Options::default()
         };
-        for (name, scene) in [("swinging lamp", &swinging), ("door", &door), ("sliding light", &sliding)] {
+        for (name, scene) in [("turning lamp", &turning), ("door", &door), ("sliding light", &sliding)] {
             let selective = Cost::of(Sequence::new(scene, &options), scene.frames(), step);
             let series = Cost::of(Sequence::by_series(scene, &options, eps), scene.frames(), step);
             let Cost { integrated, summed, expanded, error, .. } = series;
