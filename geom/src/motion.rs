@@ -47,6 +47,13 @@ impl Motion {
         Motion { translation, rotation: DMat3::from_quat(rotation), scale: 1.0 }
     }
 
+    /// Takes the origin to `origin` and the unit vectors of the coordinates to `axes`, which are such vectors of
+    /// another right-handed frame: all distances stay.
+    pub fn to_frame(origin: DVec3, axes: [DVec3; 3]) -> Motion {
+        let [x, y, z] = axes;
+        Motion { translation: origin, rotation: DMat3::from_cols(x, y, z), scale: 1.0 }
+    }
+
     /// The motion that takes every image back.
     #[must_use]
     pub fn inverse(&self) -> Motion {
@@ -140,6 +147,14 @@ mod tests {
         let x = DVec3::new(0.3, -4.0, 2.0);
         assert!(rigid.point(x).distance(other.point(x)) < 1e-14);
         assert_eq!(Motion::rigid(DQuat::IDENTITY, DVec3::ZERO), Motion::IDENTITY);
+    }
+
+    #[test]
+    fn a_motion_takes_one_frame_to_another() {
+        let turned = Motion::new(DVec3::new(1.0, 2.0, 3.0), DVec3::new(1.0, 2.0, -0.5), 0.8, 1.0).unwrap();
+        let frame =
+            Motion::to_frame(turned.point(DVec3::ZERO), DVec3::AXES.map(|axis| turned.direction(axis)));
+        assert_eq!(frame, turned);
     }
 
     #[test]

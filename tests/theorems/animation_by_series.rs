@@ -33,8 +33,8 @@ fn alone(scene: &Scene, options: &Options, number: usize) -> Frame {
     frame(&mut Follower::new(scene, options, FollowMode::Fresh, [0, scene.frames() - 1]), number)
 }
 
-/// A closed room with quads that float in it, of which two are moved, one of them along a broken line;
-/// numbers of a fixed sequence.
+/// A closed room with quads that float in it, of which two are moved, one of them along a broken line, and one
+/// is turned; numbers of a fixed sequence.
 fn random_room(seed: u64) -> Scene {
     let mut random = Random(seed);
     let mut quad = |name: &str, material: &str, z: f64| {
@@ -66,6 +66,9 @@ translate = {{ points = [[0, 0, 0], [0.06, 0.03, 0], [0.02, 0.06, 0.03]] }}
 [[motion]]
 surfaces = "glow"
 translate = {{ points = [[0, 0, 0], [0, -0.05, 0.04]] }}
+[[motion]]
+surfaces = "shelf"
+rotate = {{ center = [0.4, 0.5, 0.2], axis = [1, 0.5, 2], angles = [0, 30, -15] }}
 "#
     );
     typed(&text)
@@ -122,7 +125,7 @@ fn nothing_is_left_of_where_things_were_meanwhile() {
 }
 
 #[test]
-fn what_is_rotated_or_curved_is_integrated() {
+fn what_is_curved_or_moves_like_a_screw_is_integrated() {
     let text = r#"
 frames = 21
 materials.wall = { reflectance = 0.5 }
@@ -143,7 +146,15 @@ MOTION
     let ball = "sphere = { center = [0.4, 0.5, 0.5], radius = 0.1 }";
     let turned = "rotate = { center = [0.5, 0.5, 0.5], axis = [0, 0.1, 1], angles = [0, 40] }";
     let moved = "translate = { points = [[0, 0, 0], [0.02, 0.01, 0]] }";
-    for (shape, motion, sums) in [(quad, turned, false), (ball, moved, false), (quad, moved, true)] {
+    let screw = format!("{turned}\n{moved}");
+    let cases = [
+        (quad, turned, true),
+        (quad, &screw, false),
+        (ball, moved, false),
+        (ball, turned, false),
+        (quad, moved, true),
+    ];
+    for (shape, motion, sums) in cases {
         let text = text.replace("SHAPE", shape).replace("MOTION", motion);
         let scene = typed(&text);
         let options = Options { eps: 1e-5, ..options(false) };
@@ -160,4 +171,50 @@ MOTION
             }
         }
     }
+}
+
+/// A lamp in a room without bodies that goes along a closed line of many sides, a frame for each, and then
+/// straight.
+#[test]
+fn a_path_that_bends_in_every_frame_is_not_expanded_again_and_again() {
+    const SIDES: usize = 64;
+    let corner = |k: usize| std::f64::consts::TAU * k as f64 / SIDES as f64;
+    let corners = (0..=SIDES).map(corner).map(|angle| [0.1 * angle.cos(), 0.1 * angle.sin()]);
+    let straight = (1..=40).map(|k| [0.1, 0.004 * f64::from(k)]);
+    let points: Vec<String> = corners.chain(straight).map(|[x, y]| format!("[{x}, {y}, 0]")).collect();
+    let text = format!(
+        r#"
+frames = {}
+materials.wall = {{ reflectance = 0.5 }}
+materials.lamp = {{ reflectance = 0, emission = 1 }}
+[[surfaces]]
+name = "room"
+material = "wall"
+box = {{ origin = [0, 0, 0], size = [1, 1, 1], inward = true }}
+[[surfaces]]
+name = "lamp"
+material = "lamp"
+parallelogram = {{ origin = [0.4, 0.4, 0.6], edge1 = [0, 0.2, 0], edge2 = [0.2, 0, 0] }}
+[[motion]]
+surfaces = "lamp"
+translate = {{ points = [{}] }}
+"#,
+        points.len(),
+        points.join(", ")
+    );
+    let scene = typed(&text);
+    let mut sequence = Sequence::by_series(&scene, &options(false), 1e-3);
+    let mut solved = |frames: std::ops::Range<usize>| {
+        let (mut expanded, mut summed) = (0, 0);
+        for number in frames {
+            sequence.at(number as f64, &Work::alone()).expect("it can be solved");
+            (expanded, summed) = (expanded + sequence.expanded(), summed + sequence.summed());
+        }
+        [expanded, summed]
+    };
+    // The lamp sees the floor and, below it, the four walls: each pair is expanded once and used once.
+    let [expanded, summed] = solved(0..SIDES + 1);
+    assert!((1..=5).contains(&expanded) && summed == expanded, "{expanded} {summed}");
+    let [expanded, summed] = solved(SIDES + 1..scene.frames());
+    assert!((1..=5).contains(&expanded) && summed > 30 * expanded, "{expanded} {summed}");
 }

@@ -6,11 +6,11 @@
 //! ```
 //!
 //! Between flat patches that do not touch, by the rule of patches [far](crate::rules::far) apart; near pairs
-//! are halved first. The kernel may displace the emitter, which stays where it is for its functions.
+//! are halved first. The kernel may move the emitter, which stays where it is for its functions.
 
 use radiosity_elements::Element;
 use radiosity_elements::patch::Patch;
-use radiosity_geom::DVec3;
+use radiosity_geom::{DVec3, Motion};
 
 use crate::contact::gap::polygon_distance;
 use crate::moments::Moments;
@@ -25,11 +25,18 @@ pub struct PatchPair {
     points: [usize; 4],
 }
 
+impl PatchPair {
+    /// Pairs of points.
+    pub fn samples(&self) -> u64 {
+        self.points.iter().map(|n| *n as u64).product()
+    }
+}
+
 /// Accuracy that the rules have to reach, with the degrees and the place of the elements.
 #[derive(Clone, Copy, Debug)]
 pub struct Demand {
-    /// Displacement of the emitter (scene length).
-    pub shift: DVec3,
+    /// Where the emitter is: a rigid motion of its patches.
+    pub place: Motion,
     /// Total degrees of the receiver's and the emitter's functions.
     pub degrees: [usize; 2],
     /// The share of their distance that two patches may come to.
@@ -45,9 +52,9 @@ impl Demand {
         self.divide(p, q, MOST_HALVINGS_OF_TERMS, &mut pairs).then_some(pairs)
     }
 
-    /// The distance of two flat patches, the second one displaced.
+    /// The distance of two flat patches, the second one moved.
     pub fn distance(&self, p: &Patch, q: &Patch) -> f64 {
-        displaced_distance(p, q, self.shift)
+        moved_distance(p, q, &self.place)
     }
 
     fn divide(&self, p: &Patch, q: &Patch, levels: usize, pairs: &mut Vec<PatchPair>) -> bool {
@@ -64,10 +71,10 @@ impl Demand {
     }
 }
 
-/// The distance of two flat patches, the second one displaced by `shift`.
-pub fn displaced_distance(p: &Patch, q: &Patch, shift: DVec3) -> f64 {
-    let displaced: Vec<DVec3> = q.polygon().iter().map(|y| y + shift).collect();
-    polygon_distance(&p.polygon(), &displaced)
+/// The distance of two flat patches, the second one moved to `place`.
+pub fn moved_distance(p: &Patch, q: &Patch, place: &Motion) -> f64 {
+    let moved: Vec<DVec3> = q.polygon().iter().map(|y| place.point(*y)).collect();
+    polygon_distance(&p.polygon(), &moved)
 }
 
 /// The block of every term of `kernel` between two elements, row-major, receiver's functions by emitter's,

@@ -1,32 +1,34 @@
-//! Blocks of the pairs of which one element is translated, by series, frame after frame.
+//! Blocks of the pairs of which one element moves, by series, frame after frame.
 //!
-//! G(p) = Σ Φ_n (p − c)ⁿ for flat elements with nothing between them ([`super::series`]), p along the line on
-//! which the pair moves. It is always summed from its centre c, never from the frame before, so that nothing
-//! adds up. Where a displacement leaves the line, where the bound of what is left out exceeds what is
-//! allowed, or where other parts begin to face each other, the pair is expanded anew, if enough frames will
-//! lie within the range; else, as where it is rotated, curved, touching or has something between, it is
-//! integrated like that of any other scene.
+//! G = Σ Φ_n tⁿ for flat elements with nothing between them ([`super::series`]), along the course on which the
+//! pair moves: a line, or an axis about which one turns. It is always summed from its centre, never from the
+//! frame before, so that nothing adds up. Where a pair leaves its course, where the bound of what is left out
+//! exceeds what is allowed, or where other parts begin to face each other, it is expanded anew, if enough
+//! frames will lie within the range; else, as where it is curved, touching or has something between, it is
+//! integrated like that of any other scene. A pair whose series was not repaid is integrated until it has
+//! kept to one course for twice as many frames as it had to before.
 
+mod course;
 mod element_places;
+mod ends;
 mod expansion;
+mod pair;
 
 use std::collections::HashMap;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use radiosity_elements::Element;
-use radiosity_geom::DVec3;
 use radiosity_kernel::{PairKind, blocks::block::Block};
 use radiosity_transport::{Known, KnownBlocks};
 use radiosity_work::ranks::Ranks;
 
 use super::series::MovedBlock;
-use element_places::{ElementPlace, ElementPlaces};
+use element_places::ElementPlaces;
+use ends::Ends;
 use expansion::Expansion;
 pub use expansion::ORDERS;
-
-/// Steps of this part of the extents of a pair are rounding.
-const ROUNDED: f64 = 1e-13;
+use pair::Pair;
 
 /// The loosest tolerance of a block that is small beside others of its row: a series of few orders is cheap,
 /// and with a larger value single blocks would show.
@@ -53,18 +55,6 @@ pub struct SeriesCounts {
     pub summed: usize,
     /// Blocks that were expanded.
     pub expanded: usize,
-}
-
-/// A pair of elements as it was seen last, with its expansion.
-#[derive(Debug)]
-struct Pair {
-    /// Number of times that each element was seen anew.
-    turns: [u32; 2],
-    /// Displacement of the second element relative to the first, since both were seen anew (scene length).
-    displacement: DVec3,
-    /// Whether the kept block was integrated, at this displacement.
-    is_integrated: bool,
-    expansion: Option<Expansion>,
 }
 
 fn locked<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
@@ -103,24 +93,20 @@ impl Expansions {
         SeriesCounts { summed: sums[0] as usize, expanded: sums[1] as usize }
     }
 
-    /// The block of a pair that has moved, by `step` since it was seen last, to the displacement `now`; and
-    /// the samples of its expansion if it was expanded anew.
-    fn moved(
-        &self,
-        pair: &mut Pair,
-        ends: &[ElementPlace; 2],
-        step: DVec3,
-        tolerance: f64,
-    ) -> Option<(MovedBlock, u64)> {
-        let now = pair.displacement;
-        if let Some(block) = pair.expansion.as_ref().and_then(|known| known.at(now, tolerance)) {
+    /// The block of a pair that has moved, by `step` on its course; and the samples of its expansion if it was
+    /// expanded anew.
+    fn moved(&self, pair: &mut Pair, ends: &Ends, step: Option<f64>) -> Option<(MovedBlock, u64)> {
+        let place = pair.place;
+        let at = |expansion: &mut Expansion| {
+            let p = ends.parameter(expansion.course(), &place)?;
+            expansion.at(p, ends.tolerance)
+        };
+        if let Some(block) = pair.expansion.as_mut().and_then(at) {
             return Some((block, 0));
         }
-        let elements = ends.each_ref().map(|place| &*place.reference);
-        pair.expansion = Expansion::ahead(elements, now, step, tolerance);
-        let expansion = pair.expansion.as_ref()?;
+        let expansion = pair.expand(step, ends)?;
         self.expanded.fetch_add(1, Ordering::Relaxed);
-        Some((expansion.at(now, tolerance)?, expansion.samples()))
+        Some((at(expansion)?, expansion.samples()))
     }
 }
 
@@ -133,30 +119,41 @@ impl KnownBlocks for Expansions {
         places.move_to(elements);
     }
 
-    fn block(&self, places: [usize; 2], elements: [&Element; 2], eps: f64) -> Option<Known> {
+    fn block(
+        &self,
+        places: [usize; 2],
+        elements: [&Element; 2],
+        eps: f64,
+        samples: Option<u64>,
+    ) -> Option<Known> {
         let ends = {
             let seen = locked(&self.places);
             [seen.of(places[0])?, seen.of(places[1])?]
         };
-        let turns = ends.each_ref().map(|place| place.turn);
-        let now = ends[1].shift - ends[0].shift;
+        let changes = ends.each_ref().map(|place| place.changes);
+        let now = ends[1].place.then(&ends[0].place.inverse());
         let mut pairs = locked(&self.pairs);
-        let Some(mut pair) = pairs.remove(&places).filter(|pair| pair.turns == turns) else {
+        let Some(mut pair) = pairs.remove(&places).filter(|pair| pair.changes == changes) else {
             // How a pair moves is not known before it was seen twice.
-            pairs.insert(places, Pair { turns, displacement: now, is_integrated: true, expansion: None });
+            pairs.insert(places, Pair::seen(changes, now));
             return None;
         };
         drop(pairs);
-        let step = now - pair.displacement;
-        let rests = step.length() <= ROUNDED * (elements[0].extent + elements[1].extent);
-        if rests && pair.is_integrated {
-            // The displacement stays that of the integral, so that rounding does not add up.
+        if pair.is_integrated {
+            pair.integral = samples;
+        }
+        let references = ends.each_ref().map(|place| &*place.reference);
+        let factor = (eps / self.eps).clamp(1.0, (LOOSEST / self.tolerance).max(1.0));
+        let extent = elements[0].extent + elements[1].extent;
+        let tolerance = factor * self.tolerance;
+        let ends = Ends { elements: references, extent, tolerance, integral: pair.integral };
+        if pair.is_integrated && ends.rests(&pair.place, &now) {
+            // The place stays that of the integral, so that rounding does not add up.
             locked(&self.pairs).insert(places, pair);
             return Some(Known::Same);
         }
-        pair.displacement = now;
-        let factor = (eps / self.eps).clamp(1.0, (LOOSEST / self.tolerance).max(1.0));
-        let found = self.moved(&mut pair, &ends, step, factor * self.tolerance);
+        let step = pair.move_to(now, &ends);
+        let found = self.moved(&mut pair, &ends, step);
         pair.is_integrated = found.is_none();
         locked(&self.pairs).insert(places, pair);
         let (MovedBlock { values, error }, samples) = found?;

@@ -1,18 +1,16 @@
-//! The transfers between two elements that are displaced against each other, as a power series.
+//! The transfers between two elements that move against each other, as a power series.
 //!
-//! x on the receiver, y on the emitter, r = y − x, and the emitter moved by p·d relative to the receiver (d:
-//! the direction, the displacement per unit of p; a receiver that moves has −d). The kernel without its
-//! clipping to positive cosines is
+//! x on the receiver, y on the emitter, r = y − x, and the emitter moved relative to the receiver: by p·d (d:
+//! the direction, the displacement per unit of p; a receiver that moves has −d), or by the angle p about an
+//! axis. With t = p, or t = tan(p/2), the kernel without its clipping to positive cosines is
 //!
 //! ```text
-//! κ(p) = −(n_y·r′)(n_x·r′)/(π |r′|⁴) ,   r′ = r + p d ,
-//!      = κ₀ (a + b p + c p²) / (1 + A p + B p²)² ,   κ₀ = −1/(π r⁴) ,  A = 2 d·r/r² ,  B = d²/r²
-//! a = (n_y·r)(n_x·r) ,  b = (n_y·d)(n_x·r) + (n_y·r)(n_x·d) ,  c = (n_y·d)(n_x·d)
-//! κ(p) = Σ φ_n pⁿ ,     G(p) = Σ Φ_n pⁿ     with Φ_n the moments of φ_n in the elements' functions.
+//! κ = −(n_y′·r′)(n_x·r′)/(π |r′|⁴) = (N₀ + N₁t + … + N_M t^M)/(1 + A t + B t²)² ,     M = 2, or 4
+//! κ(t) = Σ φ_n tⁿ ,     G(t) = Σ Φ_n tⁿ     with Φ_n the moments of φ_n in the elements' functions.
 //! ```
 //!
-//! * Range: |p d| < r for a pair of points; the least distance of the two elements for a block. Both elements
-//!   have to face each other, or to stand in front of each other's planes in a part that does not change.
+//! * Range: |t| √B < 1 for a pair of points (|p d| < r where it is translated). Both elements have to face each
+//!   other, or to stand in front of each other's planes in a part that does not change.
 //! * The sum is always formed at the centre of the expansion, never from the last sum: errors do not add up.
 //!
 //! Reference: D. Arquès, V. Biri, S. Michelin (2001), corrected as `docs/theory/animation.md` tells.
@@ -20,18 +18,21 @@
 pub mod power_series;
 mod remainder;
 mod span;
-pub mod point_pair;
-pub mod displacement;
 mod error;
+mod motion;
+pub mod point_pair;
 mod settings;
 mod pair;
 mod faces;
+mod facing;
 mod samples;
 mod block;
 mod moving;
 
 pub use block::{BlockSeries, MovedBlock};
 pub use error::SeriesError;
+pub(crate) use facing::Facing;
+pub use motion::RelativeMotion;
 pub use moving::MovingBlock;
-pub use pair::TranslatedPair;
+pub use pair::MovedPair;
 pub use settings::Settings;

@@ -241,6 +241,12 @@ impl KeptBlocks {
         (kept.request == *request).then_some(&kept.block)
     }
 
+    /// Samples of the block of the pair in the scene before, whatever was asked for.
+    pub(crate) fn samples(&self, request: &Request) -> Option<u64> {
+        let kept = self.blocks.get(&(request.row, request.column))?;
+        Some(kept.block.block.report.samples)
+    }
+
     /// Keeps the answers to the requests of this scene, and forgets all others; all ranks together, each
     /// those that it made.
     pub(crate) fn replace(&mut self, requested: Vec<(Request, Arc<IntegratedBlock>)>, ranks: &Ranks) {

@@ -25,7 +25,13 @@ pub trait KnownBlocks: Debug + Send + Sync {
     fn move_to(&self, elements: &[Element]);
 
     /// The block of two flat elements with nothing between them, at these places among all elements, if it is
-    /// known; `eps` is the error that rules are allowed, relative to its largest entry. Called once for a
-    /// pair of a scene, from any thread.
-    fn block(&self, places: [usize; 2], elements: [&Element; 2], eps: f64) -> Option<Known>;
+    /// known; `eps` is the error that rules are allowed, relative to its largest entry, and `samples` are those
+    /// of the block of the scene before. Called once for a pair of a scene, from any thread.
+    fn block(
+        &self,
+        places: [usize; 2],
+        elements: [&Element; 2],
+        eps: f64,
+        samples: Option<u64>,
+    ) -> Option<Known>;
 }

@@ -1,7 +1,7 @@
 //! Single pairs of points: coefficients, bounds, symmetries.
 
 use radiosity::geom::DVec3;
-use radiosity::published::series::displacement::DisplacementSeries;
+use radiosity::published::series::RelativeMotion;
 use radiosity::published::series::point_pair::PointPair;
 use radiosity::published::series::power_series::inverse_square;
 use radiosity_test_support::data::table;
@@ -10,10 +10,25 @@ use radiosity_test_support::random::Random;
 fn pair(random: &mut Random) -> PointPair {
     let distance = 4f64.powf(random.signed());
     PointPair {
+        receiver: random.vector(-2.0, 2.0),
         offset: distance * random.direction(),
         receiver_normal: random.direction(),
         emitter_normal: random.direction(),
     }
+}
+
+fn translation(random: &mut Random) -> RelativeMotion {
+    RelativeMotion::Translation(random.direction())
+}
+
+fn rotation(random: &mut Random) -> RelativeMotion {
+    RelativeMotion::Rotation { axis: random.direction(), centre: random.vector(-2.0, 2.0) }
+}
+
+/// |r(π)|/r of a pair and a rotation: one over the convergence of its series.
+fn rate(pair: &PointPair, motion: &RelativeMotion) -> f64 {
+    let half_turned = motion.place(std::f64::consts::PI).point(pair.receiver + pair.offset);
+    half_turned.distance(pair.receiver) / pair.offset.length()
 }
 
 fn sum(coefficients: &[f64], p: f64) -> f64 {
@@ -97,7 +112,7 @@ fn two_divisions_give_the_combination_of_the_inverse_square() {
         let (r, x, y) = (pair.offset, pair.receiver_normal, pair.emitter_normal);
         let (mut xi, mut phi) = ([0.0; 21], [0.0; 21]);
         inverse_square(direction.dot(r), 1.0, r.length_squared(), &mut xi);
-        pair.series(direction, &mut phi);
+        pair.series(&RelativeMotion::Translation(direction), &mut phi);
         let factor = -std::f64::consts::FRAC_1_PI / r.length_squared().powi(2);
         let numerator = [
             y.dot(r) * x.dot(r),
@@ -114,111 +129,90 @@ fn two_divisions_give_the_combination_of_the_inverse_square() {
 }
 
 #[test]
-fn the_remainder_is_below_its_bound_and_not_far_below() {
-    let mut random = Random(2);
-    let mut ratios = Vec::new();
-    for k in 0..10_000 {
-        let (pair, direction) = (pair(&mut random), 1.5 * random.direction());
-        let orders = k % 13;
-        let h = 0.475 * (1.0 + random.signed()) + 1e-3;
-        let p = h * pair.offset.length() / direction.length() * random.signed().signum();
-        let mut phi = vec![0.0; orders + 1];
-        pair.series(direction, &mut phi);
-        let exact = pair.kernel(p * direction);
-        let rounding = 1e-14
-            * (exact.abs() + phi.iter().enumerate().map(|(n, c)| (c * p.powi(n as i32)).abs()).sum::<f64>());
-        let missed = (exact - sum(&phi, p)).abs();
-        let bound = pair.remainder(direction, orders, p);
-        assert!(missed <= bound + rounding, "order {orders}, h = {h}: {missed:e} > {bound:e}");
-        if missed > 100.0 * rounding {
-            ratios.push(bound / missed);
-        }
+fn the_series_of_a_rotation_is_the_kernel_of_the_turned_point() {
+    const TERMS: usize = 80;
+    let mut random = Random(6);
+    for _ in 0..1000 {
+        let (pair, motion) = (pair(&mut random), rotation(&mut random));
+        let mut phi = [0.0; TERMS];
+        pair.series(&motion, &mut phi);
+        let variable = 0.6 * random.signed() / rate(&pair, &motion).max(0.1);
+        let terms = phi.iter().enumerate().map(|(n, c)| (c * variable.powi(n as i32)).abs());
+        let size = terms.fold(0.0, f64::max);
+        let exact = pair.kernel(&motion.place(2.0 * variable.atan()));
+        let found = sum(&phi, variable);
+        assert!((found - exact).abs() <= 1e-12 * size, "{found:e} {exact:e} {motion:?} {pair:?}");
     }
-    ratios.sort_by(f64::total_cmp);
-    let median = ratios[ratios.len() / 2];
-    assert!(ratios.len() > 5000 && median < 30.0, "{} ratios of median {median}", ratios.len());
-    assert_eq!(pair(&mut random).remainder(DVec3::X, 8, 1e3), f64::INFINITY);
 }
 
 #[test]
-fn the_opposite_direction_changes_the_signs_of_odd_orders() {
+fn the_remainder_is_below_its_bound_and_not_far_below() {
+    let mut random = Random(2);
+    for turns in [false, true] {
+        let mut ratios = Vec::new();
+        for k in 0..10_000 {
+            let pair = pair(&mut random);
+            let motion = if turns { rotation(&mut random) } else { translation(&mut random) };
+            let orders = k % 13;
+            let h = 0.475 * (1.0 + random.signed()) + 1e-3;
+            let convergence = if turns { 1.0 / rate(&pair, &motion) } else { pair.offset.length() };
+            let t = h * convergence * random.signed().signum();
+            let p = if turns { 2.0 * t.atan() } else { t };
+            let mut phi = vec![0.0; orders + 1];
+            pair.series(&motion, &mut phi);
+            let exact = pair.kernel(&motion.place(p));
+            let terms = phi.iter().enumerate().map(|(n, c)| (c * t.powi(n as i32)).abs());
+            // The place of a point is rounded before the kernel between both.
+            let nearest = pair.offset.length() * (1.0 - h);
+            let rounding = 1e-14 * (1.0 + 1.0 / nearest) * (nearest.powi(-2) + terms.sum::<f64>());
+            let missed = (exact - sum(&phi, t)).abs();
+            let bound = pair.remainder(&motion, orders, p);
+            assert!(missed <= bound + rounding, "order {orders}, h = {h}: {missed:e} > {bound:e}");
+            if missed > 100.0 * rounding {
+                ratios.push(bound / missed);
+            }
+        }
+        ratios.sort_by(f64::total_cmp);
+        let median = ratios[ratios.len() / 2];
+        assert!(
+            ratios.len() > 5000 && median < if turns { 60.0 } else { 30.0 },
+            "{} ratios of median {median}",
+            ratios.len()
+        );
+    }
+    let along = RelativeMotion::Translation(DVec3::X);
+    assert_eq!(pair(&mut random).remainder(&along, 8, 1e3), f64::INFINITY);
+}
+
+#[test]
+fn the_opposite_motion_changes_the_signs_of_odd_orders() {
     let mut random = Random(3);
     for _ in 0..1000 {
         let (pair, direction) = (pair(&mut random), random.direction());
-        let (mut there, mut back) = ([0.0; 12], [0.0; 12]);
-        pair.series(direction, &mut there);
-        pair.series(-direction, &mut back);
-        for n in 0..12 {
-            assert_eq!(back[n], if n % 2 == 0 { there[n] } else { -there[n] });
-        }
-        let turned = PointPair {
-            offset: -pair.offset,
-            receiver_normal: pair.emitter_normal,
-            emitter_normal: pair.receiver_normal,
-        };
-        let mut of_turned = [0.0; 12];
-        turned.series(-direction, &mut of_turned);
-        // The sums are formed in another order.
-        for (n, (x, y)) in of_turned.iter().zip(&there).enumerate() {
-            let size = pair.offset.length().powi(-(n as i32) - 2) * (n + 1) as f64;
-            assert!((x - y).abs() <= 1e-14 * size.max(y.abs()), "order {n}: {x:e}, {y:e}");
-        }
-    }
-}
-
-#[test]
-fn points_face_each_other_as_long_as_they_are_said_to() {
-    let mut random = Random(4);
-    let mut numbers = [0; 2];
-    for _ in 0..1000 {
-        let (pair, direction) = (pair(&mut random), random.direction());
-        let faces_at = |p: f64| {
-            let r = pair.offset + p * direction;
-            pair.receiver_normal.dot(r) > 0.0 && pair.emitter_normal.dot(r) < 0.0
-        };
-        let (faces, span) = pair.facing(direction);
-        assert_eq!(faces, faces_at(0.0));
-        assert!(span.contains(0.0));
-        numbers[usize::from(faces)] += 1;
-        for end in [span.from, span.to] {
-            let inside = if end.is_finite() { end * (1.0 - 1e-9) } else { end.signum() * 1e6 };
-            assert_eq!(faces_at(inside), faces, "{span:?}");
-            if end.is_finite() {
-                assert_ne!(faces_at(end + end.signum() * 1e-9), faces, "{span:?}");
+        let [along, against] = [direction, -direction].map(RelativeMotion::Translation);
+        let centre = random.vector(-2.0, 2.0);
+        let [left, right] = [direction, -direction].map(|axis| RelativeMotion::Rotation { axis, centre });
+        for [motion, opposite] in [[along, against], [left, right]] {
+            let (mut there, mut back) = ([0.0; 12], [0.0; 12]);
+            pair.series(&motion, &mut there);
+            pair.series(&opposite, &mut back);
+            for n in 0..12 {
+                assert_eq!(back[n], if n % 2 == 0 { there[n] } else { -there[n] });
+            }
+            // With the emitter in the place of the receiver, the motion is the opposite one.
+            let exchanged = PointPair {
+                receiver: pair.receiver + pair.offset,
+                offset: -pair.offset,
+                receiver_normal: pair.emitter_normal,
+                emitter_normal: pair.receiver_normal,
+            };
+            let mut of_exchanged = [0.0; 12];
+            exchanged.series(&opposite, &mut of_exchanged);
+            let size = there.iter().fold(0.0f64, |most, x| most.max(x.abs()));
+            for (n, (x, y)) in of_exchanged.iter().zip(&there).enumerate() {
+                // The sums are formed in another order.
+                assert!((x - y).abs() <= 1e-12 * size, "order {n}: {x:e}, {y:e}");
             }
         }
-    }
-    assert!(numbers.iter().all(|count| *count > 100));
-}
-
-/// Errors at 2h over those at h.
-fn orders(error: impl Fn(f64) -> f64) -> f64 {
-    (error(0.02) / error(0.01)).log2()
-}
-
-#[test]
-fn three_series_along_the_axes_miss_the_products_that_one_in_three_variables_holds() {
-    const DEGREE: usize = 5;
-    let mut random = Random(5);
-    for _ in 0..20 {
-        let (pair, way) = (pair(&mut random), random.direction());
-        let length = pair.offset.length();
-        let at = |h: f64| h * length * way;
-        let all = DisplacementSeries::new(&pair, DEGREE);
-        let joint = |h: f64| (all.at(at(h)) - pair.kernel(at(h))).abs();
-        let axes = |h: f64| {
-            let changes = DVec3::AXES.map(|axis| {
-                let mut phi = [0.0; DEGREE + 1];
-                pair.series(axis, &mut phi);
-                sum(&phi, at(h).dot(axis)) - phi[0]
-            });
-            (pair.kernel(DVec3::ZERO) + changes.iter().sum::<f64>() - pair.kernel(at(h))).abs()
-        };
-        assert!((orders(axes) - 2.0).abs() < 0.3, "along axes: order {}", orders(axes));
-        assert!((orders(joint) - (DEGREE + 1) as f64).abs() < 0.5, "jointly: order {}", orders(joint));
-        let mut phi = [0.0; DEGREE + 1];
-        pair.series(way, &mut phi);
-        let along = sum(&phi, 0.3 * length);
-        assert!((along - all.at(at(0.3))).abs() <= 1e-14 * phi.iter().fold(0.0f64, |m, c| m.max(c.abs())));
     }
 }

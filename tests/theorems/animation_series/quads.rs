@@ -4,8 +4,8 @@ use radiosity::Scene;
 use radiosity::elements::cells::Layers;
 use radiosity::elements::space::Space;
 use radiosity::elements::{Discretization, Elements, Subdivide};
-use radiosity::geom::DVec3;
 use radiosity::geom::shapes::Parallelogram;
+use radiosity::geom::{DQuat, DVec3};
 use radiosity_test_support::compare::{farthest, largest};
 use radiosity_test_support::data::point;
 use radiosity_test_support::scenes::grey;
@@ -27,6 +27,16 @@ impl Quad {
 
     pub(super) fn moved(&self, by: DVec3) -> Self {
         Self { centre: self.centre + by, ..*self }
+    }
+
+    /// Turned about an axis through `centre` by an angle (radians).
+    pub(super) fn turned(&self, axis: DVec3, centre: DVec3, angle: f64) -> Self {
+        let turn = |x: DVec3| DQuat::from_axis_angle(axis.normalize(), angle) * x;
+        Self {
+            centre: centre + turn(self.centre - centre),
+            along: turn(self.along),
+            across: turn(self.across),
+        }
     }
 
     /// Area over that of the parameters, which is 4.

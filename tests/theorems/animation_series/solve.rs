@@ -2,7 +2,7 @@
 
 use radiosity::elements::space::Space;
 use radiosity::geom::DVec3;
-use radiosity::published::series::{MovingBlock, Settings, TranslatedPair};
+use radiosity::published::series::{MovedPair, MovingBlock, RelativeMotion, Settings};
 use radiosity_test_support::data::{numbers, point, table};
 use serde_json::Value;
 
@@ -43,7 +43,8 @@ fn the_solution_of_a_moving_lamp_is_the_exact_one() {
     let of_pair = |i: usize, j: usize| {
         // A pair that stays has a direction too, and no displacement.
         let direction = if j == 2 { direction } else { DVec3::X };
-        let pair = TranslatedPair::new(&elements.list()[i], &elements.list()[j], direction);
+        let pair =
+            MovedPair::new(&elements.list()[i], &elements.list()[j], RelativeMotion::Translation(direction));
         let settings = Settings { orders: 20, tolerance: 1e-13 };
         (i, j, MovingBlock::new(pair.expect("quads are flat"), settings))
     };

@@ -3,7 +3,9 @@
 use radiosity::elements::Elements;
 use radiosity::elements::space::Space;
 use radiosity::geom::DVec3;
-use radiosity::published::series::{BlockSeries, MovingBlock, SeriesError, Settings, TranslatedPair};
+use radiosity::published::series::{
+    BlockSeries, MovedPair, MovingBlock, RelativeMotion, SeriesError, Settings,
+};
 use radiosity_test_support::data::{numbers, point, table};
 use serde_json::Value;
 
@@ -22,9 +24,9 @@ struct Case {
 }
 
 impl Case {
-    fn pair(&self) -> TranslatedPair<'_> {
+    fn pair(&self) -> MovedPair<'_> {
         let [fixed, moving] = self.elements.list() else { panic!("two quads are two elements") };
-        TranslatedPair::new(fixed, moving, self.direction).expect("quads are flat")
+        MovedPair::new(fixed, moving, RelativeMotion::Translation(self.direction)).expect("quads are flat")
     }
 
     fn scaled(&self, block: &Value) -> Vec<f64> {

@@ -182,7 +182,9 @@ impl Tile {
         [dx, dy, dz, (dx * dx + dy * dy + dz * dz).max(LEAST_SQUARE)]
     }
 
-    fn point(&self, lane: usize) -> DVec3 {
+    /// A point.
+    #[inline(always)]
+    pub fn point(&self, lane: usize) -> DVec3 {
         DVec3::new(self.position[0][lane], self.position[1][lane], self.position[2][lane])
     }
 

@@ -5,8 +5,10 @@ use super::span::Span;
 /// Why a block has no series, or none at a displacement. Surfaces are told by their indices in the scene.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum SeriesError {
-    /// A direction of length zero or not finite.
-    #[error("the direction of a translation has no length: give three numbers that are not all zero")]
+    /// A direction or an axis of length zero or not finite.
+    #[error(
+        "a translation needs a direction and a rotation an axis: give three numbers that are not all zero"
+    )]
     Direction,
     /// A tolerance that no rule reaches, or none at all.
     #[error("a tolerance of {tolerance} cannot be reached: choose 1e-15 ≤ tolerance < 1")]

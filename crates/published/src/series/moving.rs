@@ -1,14 +1,14 @@
-//! A block that follows a translation, expanded anew where its series ends.
+//! A block that follows a motion, expanded anew where its series ends.
 
 use super::block::{BlockSeries, MovedBlock};
 use super::error::SeriesError;
-use super::pair::TranslatedPair;
+use super::pair::MovedPair;
 use super::settings::Settings;
 
-/// A block that follows a translation, expanded anew where its series ends.
+/// A block that follows a motion, expanded anew where its series ends.
 #[derive(Clone, Debug)]
 pub struct MovingBlock<'a> {
-    pair: TranslatedPair<'a>,
+    pair: MovedPair<'a>,
     settings: Settings,
     series: Option<BlockSeries>,
     expansions: usize,
@@ -16,7 +16,7 @@ pub struct MovingBlock<'a> {
 
 impl<'a> MovingBlock<'a> {
     /// Nothing is expanded yet.
-    pub fn new(pair: TranslatedPair<'a>, settings: Settings) -> Self {
+    pub fn new(pair: MovedPair<'a>, settings: Settings) -> Self {
         Self { pair, settings, series: None, expansions: 0 }
     }
 

@@ -6,7 +6,7 @@
 //! ```
 //!
 //! with Gegenbauer's polynomials C⁽²⁾; the recurrence follows from (1 + Ap + Bp²) f′ + 2(A + 2Bp) f = 0. With
-//! a quadratic numerator N₀ + N₁p + N₂p² the quotient follows from two synthetic divisions,
+//! a numerator N₀ + N₁p + … the quotient follows from two synthetic divisions,
 //!
 //! ```text
 //! w_n = N_n − A w_{n−1} − B w_{n−2} ,     φ_n = w_n − A φ_{n−1} − B φ_{n−2} ,
@@ -30,11 +30,11 @@ pub fn inverse_square(alpha: f64, beta: f64, r2: f64, out: &mut [f64]) {
     }
 }
 
-/// Writes φ_0 … φ_{m−1} of (N₀ + N₁p + N₂p²)/(1 + A p + B p²)², m = `out.len()`, for W quotients side by
-/// side.
+/// Writes φ_0 … φ_{m−1} of (N₀ + N₁p + …)/(1 + A p + B p²)², m = `out.len()`, M terms above, for W quotients
+/// side by side.
 #[inline]
-pub(super) fn quotient<const W: usize>(
-    numerator: &[[f64; W]; 3],
+pub(super) fn quotient<const W: usize, const M: usize>(
+    numerator: &[[f64; W]; M],
     a: &[f64; W],
     b: &[f64; W],
     out: &mut [[f64; W]],

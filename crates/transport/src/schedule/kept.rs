@@ -28,7 +28,7 @@ impl Schedule<'_> {
         if !is_free || !are_flat {
             return None;
         }
-        match known.block(places, pair, goal.accuracy.eps)? {
+        match known.block(places, pair, goal.accuracy.eps, kept.samples(&request))? {
             Known::Same => kept.get_outdated(&request).cloned(),
             Known::Block { block, remainder } => Some(Arc::new(IntegratedBlock::known(block, remainder))),
         }
