@@ -6,6 +6,7 @@ use radiosity::solve::animation::follower::{FollowMode, Follower};
 use radiosity::solve::animation::frame::Frame;
 use radiosity::solve::animation::sequence::Sequence;
 use radiosity::solve::{Direct, Options, Transport};
+use radiosity::solvers::method::Method;
 use radiosity_test_support::compare::apart;
 use radiosity_test_support::scenes::typed;
 
@@ -313,6 +314,12 @@ rotate = { center = [0.5, 0.5, 0.5], axis = [0, 0.1, 1], angles = [0, 1000] }
         let alone = frames(&scene, &options, FollowMode::Fresh, &[number]);
         assert!(bits(&followed[number]) == bits(&alone[0]), "{number}");
     }
+    let followed = frames(&scene, &options, FollowMode::Incremental, &numbers);
+    for number in [1, 500, 999] {
+        let alone = frames(&scene, &options, FollowMode::Fresh, &[number]);
+        let (apart, told) = (apart(&followed[number].solution, &alone[0].solution), told(&followed[number]));
+        assert!(apart <= told && told < 1e-4, "{number}: {apart:e} {told:e}");
+    }
 }
 
 #[test]
@@ -378,4 +385,65 @@ translate = { points = [[0, 0, 0], [0, 0, 0], [0.3, 0, 0], [0, 0, 0], [0, 0, 0]]
         assert!(apart(&frame.solution, &alone.solution) <= 1e-4, "{number}");
     }
     assert!(follower.solved() < 60, "{}", follower.solved());
+}
+
+/// The error that a frame tells of what it leaves unsolved.
+fn told(frame: &Frame) -> f64 {
+    frame.interpolated.expect("light that follows from the frame before has an error")
+}
+
+#[test]
+fn light_that_follows_from_the_frame_before_is_that_alone_within_what_is_told() {
+    let numbers = [0, 1, 2, 9, 9, 3, 0];
+    for motion in [LAMP, PANEL, GLOW] {
+        for direct in [Direct::Projected, Direct::Auto] {
+            let (scene, options) = (room(12, motion), Options { eps: 1e-4, ..options(direct) });
+            let followed = frames(&scene, &options, FollowMode::Incremental, &numbers);
+            let alone = frames(&scene, &options, FollowMode::Fresh, &numbers);
+            for ((frame, alone), number) in followed.iter().zip(&alone).zip(numbers) {
+                let apart = apart(&frame.solution, &alone.solution);
+                assert!(apart <= told(frame) && told(frame) < 1e-4, "{motion} {number}: {apart:e}");
+            }
+        }
+    }
+}
+
+#[test]
+fn solvers_find_the_difference_from_the_frame_before() {
+    let (scene, numbers) = (room(12, PANEL), [0, 1, 2, 11]);
+    for name in ["gauss-seidel", "southwell", "cg", "lu"] {
+        let solver = Method::named(name).expect("it is one of the list");
+        let options = Options { solver, max_iterations: 10_000, ..options(Direct::Projected) };
+        let followed = frames(&scene, &options, FollowMode::Incremental, &numbers);
+        let alone = frames(&scene, &options, FollowMode::Fresh, &numbers);
+        for (frame, alone) in followed.iter().zip(&alone) {
+            let apart = apart(&frame.solution, &alone.solution);
+            assert!(apart <= told(frame) && told(frame) < 1e-3, "{name}: {apart:e} {}", told(frame));
+        }
+    }
+}
+
+#[test]
+fn rays_that_stand_give_the_light_of_fresh_ones_within_their_noise_and_come_back() {
+    let flight = "[[motion]]\nsurfaces = 'ball'\ntranslate = { points = [[0, 0, 0], [0.3, 0.3, 0.2]] }";
+    let turn = "[[motion]]\nsurfaces = 'lamp'\ntranslate = { points = [[0, 0, 0], [-0.5, -0.4, 0]] }\n[[motion]]\nsurfaces = 'plate'\nrotate = { center = [0.3, 0.7, 0.5], axis = [1, 1, 0], angles = [0, 200] }";
+    // Over the floor: what lies on it changes. Out of the cube: so does how large the scene is.
+    let slide = "[[motion]]\nsurfaces = 'tile'\ntranslate = { points = [[0, 0, 0], [0.5, 0.3, 0]] }";
+    let away = "[[motion]]\nsurfaces = 'plate'\ntranslate = { points = [[0, 0, 0], [0, 0, 2]] }";
+    let numbers = [0, 1, 2, 39, 20, 3, 0];
+    for motion in [flight, turn, slide, away] {
+        let scene = things(40, motion);
+        let alone = frames(&scene, &by_rays(), FollowMode::Fresh, &numbers);
+        let [single, many] = [1, 3].map(|threads| {
+            let options = Options { threads, ..by_rays() };
+            frames(&scene, &options, FollowMode::Incremental, &numbers)
+        });
+        for (((frame, other), alone), number) in single.iter().zip(&many).zip(&alone).zip(numbers) {
+            assert!(bits(frame) == bits(other), "{motion} {number}: threads");
+            let apart = apart(&frame.solution, &alone.solution);
+            assert!(apart <= 2.0 * (frame.rays + alone.rays), "{motion} {number}: {apart} {}", frame.rays);
+        }
+        let back = apart(&single[6].solution, &single[0].solution);
+        assert!(back <= 1e-3 || motion == slide, "{motion}: {back}");
+    }
 }

@@ -142,10 +142,12 @@ fn frames_of_what_moves() {
             ..options()
         };
         same_on_ranks(|work| frames(Sequence::new(&scene, &exact), work));
+        same_on_ranks(|work| frames(Sequence::incremental(&scene, &exact), work));
         same_on_ranks(|work| frames(Sequence::by_series(&scene, &exact, 1e-4), work));
     }
     let sampled = Options { transport: Transport::Sampled, rays: Some(60_000), order: 1, ..options() };
     same_on_ranks(|work| frames(Sequence::new(&scene, &sampled), work));
+    same_on_ranks(|work| frames(Sequence::incremental(&scene, &sampled), work));
 }
 
 /// A tetrahedron seen from within, and a lamp in it: no two pairs are congruent.

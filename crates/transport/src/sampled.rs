@@ -84,6 +84,8 @@ pub struct SampledTransport<'a> {
     held: HeldRows,
     tally: Tally,
     exact_pairs: ExactPairs,
+    /// The pairs that are carried exactly where rules reach their accuracy.
+    worth: HashSet<(u32, u32)>,
     /// The pairs on which rays count, if not on all but the exact pairs.
     only: Option<HashSet<(u32, u32)>>,
     /// Hits of these rays in the scene before, if those were kept.
@@ -175,6 +177,7 @@ impl<'a> SampledTransport<'a> {
             counts: Counts::new(list.len(), elements.coefficients()),
             tally: Tally::new(list.len()),
             exact_pairs: ExactPairs::default(),
+            worth: HashSet::new(),
             only: None,
             kept: None,
             rays: None,
@@ -214,7 +217,7 @@ impl<'a> SampledTransport<'a> {
         work: &Work<'a>,
     ) -> Option<Self> {
         let (state, exact_pairs) = standing.moved(elements, visibility, accuracy, kept, work)?;
-        let State { senders, pilot, sent, rays, counts, tally, .. } = state;
+        let State { senders, pilot, sent, rays, counts, tally, worth, .. } = state;
         let starts = elements.starts();
         let held = HeldRows::of(work.ranks, &starts);
         Some(Self {
@@ -229,6 +232,7 @@ impl<'a> SampledTransport<'a> {
             held,
             tally,
             exact_pairs,
+            worth,
             only: None,
             kept: None,
             rays: Some(rays),
@@ -244,9 +248,9 @@ impl<'a> SampledTransport<'a> {
         if let Some(rays) = self.kept.take() {
             kept.count_rays(rays.counts(), self.ranks);
         }
-        let Self { senders, pilot, sent, counts, tally, exact_pairs, .. } = self;
-        let exact = exact_pairs.into_pairs();
-        standing.keep(State { elements, senders, pilot, sent, rays, counts, tally, exact });
+        let Self { senders, pilot, sent, counts, tally, exact_pairs, worth, .. } = self;
+        let exact = exact_pairs.pairs().clone();
+        standing.keep(State { elements, senders, pilot, sent, rays, counts, tally, worth, exact });
     }
 
     /// The rays that count, of the elements from which this rank sends; None where what they met is not
@@ -355,6 +359,7 @@ impl<'a> SampledTransport<'a> {
             f64::from(sums.hits) * (a + c) / (b + d)
         };
         let pairs = ExactPairs::worth(self.elements, self.visibility, &self.tally, &self.held, &expected);
+        self.worth.clone_from(&pairs);
         self.exact_pairs = ExactPairs::new(pairs, self.elements, self.visibility, accuracy, kept, work);
         self.tally.settle(list, &expected);
         self.pilot.clone_from(&self.sent);

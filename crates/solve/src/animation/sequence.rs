@@ -121,11 +121,15 @@ impl<'a> Sequence<'a> {
         Self::incremental_within(scene, options, f64::INFINITY)
     }
 
-    /// As [`Sequence::incremental`], solved to this relative residual at least.
+    /// As [`Sequence::incremental`], solved to this relative residual at least where exact blocks carry the
+    /// pairs.
     pub(super) fn incremental_within(scene: &'a Scene, options: &Options, residual: f64) -> Self {
         let fresh = Self::fresh(scene, options);
-        let part = if fresh.layout.is_by_rays() { OF_NOISY_BLOCK } else { OF_BLOCK };
-        let tolerance = options.tolerance.max((part * options.eps).min(residual));
+        let wanted = match fresh.layout.is_by_rays() {
+            true => OF_NOISY_BLOCK * options.eps,
+            false => residual.min(OF_BLOCK * options.eps),
+        };
+        let tolerance = options.tolerance.max(wanted);
         Self { kept: Kept::light_too(), options: Options { tolerance, ..*options }, ..fresh }
     }
 

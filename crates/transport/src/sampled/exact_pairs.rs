@@ -87,8 +87,8 @@ impl ExactPairs {
     }
 
     /// The pairs.
-    pub(super) fn into_pairs(self) -> HashSet<(u32, u32)> {
-        self.pairs
+    pub(super) fn pairs(&self) -> &HashSet<(u32, u32)> {
+        &self.pairs
     }
 
     /// Largest error of the exact blocks, as [`BlockStatistics::accuracy_reached`].

@@ -12,8 +12,8 @@
 //! has changed lies in its way; it is traced among all surfaces unless those that have changed stay out of
 //! it. What a moved surface hid needs no look: the ray met that surface.
 //!
-//! How many rays each element sends, and which pairs are carried exactly, is decided once; pairs whose
-//! accuracy rules no longer reach are left to the rays. Where the cells of
+//! How many rays each element sends, and which pairs are worth to be carried exactly, is decided once; those
+//! whose accuracy rules do not reach in a scene are left to the rays there. Where the cells of
 //! an element come to lie on something, or leave it, all rays are sent anew.
 
 use std::collections::HashSet;
@@ -22,6 +22,7 @@ use std::sync::Arc;
 use radiosity_elements::{Element, Elements};
 use radiosity_geom::{Aabb, DVec3};
 use radiosity_kernel::Accuracy;
+use radiosity_kernel::blocks::held_rows::HeldRows;
 use radiosity_visibility::Visibility;
 use radiosity_work::Work;
 use radiosity_work::interruption::check_interrupt_at;
@@ -66,7 +67,9 @@ pub(super) struct State {
     pub rays: Vec<ElementRays>,
     pub counts: Counts,
     pub tally: Tally,
-    /// Pairs on which no ray counts.
+    /// Pairs that are carried exactly where rules reach their accuracy.
+    pub worth: HashSet<(u32, u32)>,
+    /// Those that are, on which no ray counts.
     pub exact: HashSet<(u32, u32)>,
 }
 
@@ -127,7 +130,7 @@ struct Scenes<'a> {
     boxes: Vec<Box32>,
     /// The pairs on which no ray counts now.
     exact: &'a ExactPairs,
-    /// Whether rays begin to count on a pair of each element.
+    /// Whether rays begin or cease to count on a pair of each element.
     recounted: Vec<bool>,
 }
 
@@ -154,13 +157,13 @@ impl StandingRays {
         if !are_covered_alike(&state.elements, elements) {
             return None;
         }
-        let exact = ExactPairs::new(state.exact.clone(), elements, visibility, accuracy, Some(kept), work);
+        let exact = ExactPairs::new(state.worth.clone(), elements, visibility, accuracy, Some(kept), work);
         let scenes = Scenes::new(&state, elements, visibility, &last_change, &exact);
         let redone = scenes.redone(work.ranks);
         let senders = scenes.senders;
         let counts = state.take(elements.list(), senders, redone, work.ranks);
         state.elements = shared;
-        state.exact.retain(|pair| exact.holds(*pair));
+        state.exact.clone_from(exact.pairs());
         kept.count_rays(counts, work.ranks);
         Some((state, exact))
     }
@@ -198,6 +201,13 @@ impl State {
                 counts.recalled += self.rays[element].met.len() as u64 - own.traced;
                 own.rays.into_iter().for_each(|(place, ray)| self.rays[element].set(place as usize, ray));
             }
+        }
+        let held = HeldRows::of(ranks, &starts);
+        let counts_here =
+            |hit: &Hit| [hit.source, hit.target].iter().any(|end| held.rank(*end as usize) == ranks.number());
+        if !held.ranks().are_alone() {
+            removed.retain(counts_here);
+            added.retain(counts_here);
         }
         self.tally.take(self.elements.list(), &removed);
         self.tally.take(list, &added);
@@ -299,11 +309,11 @@ impl<'a> Scenes<'a> {
             change.is_moved(index, element.surface).then(|| Sender::new(element, index as u64))
         };
         let mut recut = changed.surfaces.clone();
-        let others = list.iter().zip(&change.elements).filter(|(_, is_other)| **is_other);
-        others.for_each(|(element, _)| recut[element.surface] = true);
+        let changed_elements = list.iter().zip(&change.elements).filter(|(_, is_other)| **is_other);
+        changed_elements.for_each(|(element, _)| recut[element.surface] = true);
         let mut recounted = vec![false; list.len()];
-        let dropped = before.exact.iter().filter(|pair| !exact.holds(**pair));
-        dropped.flat_map(|(a, b)| [*a, *b]).for_each(|element| recounted[element as usize] = true);
+        let others = before.exact.symmetric_difference(exact.pairs());
+        others.flat_map(|(a, b)| [*a, *b]).for_each(|element| recounted[element as usize] = true);
         let bounds = visibility.bounds();
         let size = bounds.min.abs().max(bounds.max.abs()).max_element();
         Self {
