@@ -48,9 +48,10 @@ use readings::Readings;
 /// Solves the frames of a scene in which things move, and takes a picture of each
 #[derive(Debug, Args)]
 #[command(mut_arg("scene", |scene| scene.default_value("billiard")), mut_arg("frame", |frame| frame.hide(true)), after_help = "\
-What moves is written in the scene: [[motion]], docs/scene.md. Frames are counted from 0. Light is found anew for every frame, shadows \
-and all; what has not changed is kept, to the bit. Where light changes smoothly along the path, it is solved in some frames \
-and interpolated between them, to --path-eps; elsewhere frames are solved one after the other.
+What moves is written in the scene: [[motion]], docs/scene.md. Frames are counted from 0. Where light changes smoothly along \
+the path it is solved in some frames and interpolated between them, to --path-eps; elsewhere each frame follows from the one before, \
+shadows and all: what has moved or shines otherwise is found anew, and the difference is solved for. --animation selective gives each \
+frame as it is alone, to the bit.
 
 Examples:
   radiosity animate billiard -o out/billiard-####.png
@@ -124,14 +125,16 @@ const LISTED: usize = 4;
 enum Follow {
     /// Each frame by itself, with nothing kept.
     Fresh,
-    /// One frame after the other; what has not changed is kept.
+    /// One frame after the other, each as it is alone, to the bit; blocks and rays that have not changed are
+    /// kept.
     Selective,
-    /// One frame after the other; what has changed is added to the light of the frame before.
+    /// One frame after the other; what has changed is found anew, and the difference from the frame before
+    /// is solved for.
     Incremental,
-    /// Solved in some frames, interpolated between them where light is smooth; elsewhere as selective.
+    /// Solved in some frames, interpolated between them where light is smooth; elsewhere as incremental.
     Path,
-    /// One frame after the other; blocks of flat things that are translated, with nothing between, are sums
-    /// of power series.
+    /// As selective; blocks of flat things that are translated or turn about an axis, with nothing between,
+    /// are sums of power series.
     Series,
 }
 

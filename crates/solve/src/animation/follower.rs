@@ -31,9 +31,9 @@ pub enum FollowMode {
         /// Relative error that interpolation may have.
         tolerance: f64,
     },
-    /// As [`FollowMode::Selective`]; blocks of what is translated are sums of series
-    /// ([`radiosity_published::series`]) as far as that pays, where exact blocks carry the pairs. Curved and
-    /// rotated things, and pairs with something between, are integrated.
+    /// As [`FollowMode::Selective`]; blocks of what is translated or turns about an axis are sums of series
+    /// ([`radiosity_published::series`]) as far as that pays, where exact blocks carry the pairs. Curved
+    /// things, those on paths that bend, and pairs with something between, are integrated.
     Series {
         /// Error that a block may have, relative to its largest entry.
         tolerance: f64,

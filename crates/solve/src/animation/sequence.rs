@@ -58,7 +58,7 @@ pub struct Sequence<'a> {
 struct Kept {
     /// None where nothing is.
     model: Option<KeptModel>,
-    /// Series of what is translated, where blocks may be sums of them.
+    /// Series of what is moved, where blocks may be sums of them.
     expansions: Option<Arc<Expansions>>,
     /// Light of the frames before, where only the difference is solved for.
     light: Option<LightBefore>,
@@ -133,7 +133,7 @@ impl<'a> Sequence<'a> {
         Self { kept: Kept::light_too(), options: Options { tolerance, ..*options }, ..fresh }
     }
 
-    /// As [`Sequence::new`], but blocks between flat elements that are translated, with nothing between them,
+    /// As [`Sequence::new`], but blocks between flat elements that are moved, with nothing between them,
     /// are sums of series as far as that pays; they may be off by `tolerance` times their largest entries.
     pub fn by_series(scene: &'a Scene, options: &Options, tolerance: f64) -> Self {
         let kept = Kept::with_series(Expansions::new(tolerance, options.eps));
@@ -200,7 +200,7 @@ impl<'a> Sequence<'a> {
         let rays = self.kept.model.as_ref().map_or_else(traced, |kept| kept.blocks.ray_counts());
         self.spent += self.share(&rays);
         self.error = series_error(&model.blocks().statistics.remainders, &light.solution);
-        if self.kept.light.is_some() {
+        if self.kept.light.is_some() && self.options.bounces.is_none() {
             let measured = self.measured(&model, &light, work).map_err(failed)?;
             let unsolved = unsolved(&light.solution).max(measured);
             self.report.unsolved = self.report.unsolved.max(unsolved);

@@ -9,7 +9,7 @@
 //! system     8 n² , twice for a solver that factors the matrix, up to 3000 unknowns and for such a solver;
 //!            320 n above that for a solver that only multiplies, and twice the blocks for others
 //! groups     8 g (2 b + 8) Σ m_i          (g light groups in b bands: what is kept, and the work on one band)
-//! kept       elements and blocks once more, 300 |P|, and 64 for each ray, where the next scene differs in
+//! kept       elements and blocks once more, 300 |P|, and 96 for each ray, where the next scene differs in
 //!            the places of some things
 //! ```
 //!
@@ -149,7 +149,7 @@ impl MemoryEstimate {
         let gathered = gathered(solver, unknowns, numbers, ranks);
         let system = own + system(solver, unknowns, numbers) + gathered + groups(scene, &sizes);
         let elements = elements.sum();
-        let kept = 2 * KEPT_RAY * rays.saturating_add(rays / 8).min(MOST_KEPT);
+        let kept = 3 * KEPT_RAY * rays.saturating_add(rays / 8).min(MOST_KEPT);
         // Pairs are carried exactly where more rays than their least price are expected.
         let exact = rays / LEAST as u64 * (PAIR + NUMBER * (functions * functions) as u64);
         Self { elements, blocks: 2 * own, pairs: CHUNK, system, kept: elements + kept + exact }
