@@ -15,6 +15,7 @@ use std::time::Instant;
 
 use radiosity::geom::{DQuat, DVec3};
 use radiosity::scene::Pose;
+use radiosity::solve::Direct;
 use radiosity::solve::animation::stage::Stage;
 use radiosity::{Options, Work};
 
@@ -23,7 +24,9 @@ const USUAL: &str = "lamp 0 0 0\nlamp -0.5 0 0\nlamp -1 0 0\nlamp dim 0.3\n";
 
 fn main() -> Result<(), Box<dyn Error>> {
     let is_piped = !stdin().is_terminal();
-    let mut stage = Stage::new(radiosity::builtin("sliding-light")?, &Options::default())?;
+    // Direct light that is split off is found anew in every frame; blocks are kept.
+    let options = Options { direct: Direct::Projected, ..Options::default() };
+    let mut stage = Stage::new(radiosity::builtin("sliding-light")?, &options)?;
     let typed: Box<dyn BufRead> =
         if is_piped { Box::new(stdin().lock()) } else { Box::new(USUAL.as_bytes()) };
     for line in typed.lines() {

@@ -48,13 +48,14 @@ class Stage:
     The motions of the scene (`[[motion]]` in docs/scene.md of the project) name what can be moved; where they lead is of no account
     here. All things are at rest at first::
 
-        stage = Stage(radiosity.load("sliding-light"), order=2)
+        stage = Stage(radiosity.load("sliding-light"), direct="projected")
         stage.move_to("lamp", translate=(-0.5, 0, 0))
         stage.emit("lamp", 0.3)
         stage.frame().irradiance([[1, 1, 0]], [0, 0, 1])
 
-    Each frame is found from the one before: only what has changed is integrated, traced and solved for. After an error, or Ctrl-C,
-    things are where they were last put; once what is wrong is mended, the next frame is right.
+    Each frame is found from the one before: only what has changed is integrated, traced and solved for. Direct light that is split off
+    is found anew; where frames have to be quick, `direct="projected"` leaves it to the blocks. After an error, or Ctrl-C, things are
+    where they were last put; once what is wrong is mended, the next frame is right.
     """
 
     def __init__(self, scene: Scene, **method: Unpack[Method]) -> None:

@@ -35,7 +35,7 @@ fn shift(x: f64, y: f64, z: f64) -> Pose {
     Pose::rigid(DVec3::ZERO, DQuat::IDENTITY, DVec3::new(x, y, z)).expect("it is a pose")
 }
 
-/// What a frame says that it is off by.
+/// Relative error that a frame tells of what it leaves unsolved.
 fn told(frame: &Frame) -> f64 {
     frame.interpolated.expect("it follows from the frame before")
 }

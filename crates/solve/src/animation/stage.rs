@@ -1,7 +1,9 @@
 //! A stage: a scene in which somebody else says where things are, and its light, frame after frame.
 //!
 //! Nothing has to be known in advance of where movers go or how they shine. Each frame is found from the one
-//! before ([`Sequence::incremental`]): only what has changed is integrated, traced and solved for.
+//! before ([`Sequence::incremental`]): only what has changed is integrated, traced and solved for. Direct light
+//! that is split off is found anew; where frames have to be quick, [`Direct::Projected`](crate::driver::Direct)
+//! leaves it to the blocks.
 
 use radiosity_scene::{Animation, Fault, MoverState, Pose, Scene, SceneError};
 use radiosity_work::Work;
