@@ -35,6 +35,7 @@ use crate::work::work;
 #[pyclass(frozen, module = "radiosity._radiosity")]
 pub(crate) struct Light {
     found: Found,
+    options: Options,
     /// Method of the light; the usual one where it was read from a file.
     method: MethodRequest,
 }
@@ -43,43 +44,36 @@ pub(crate) struct Light {
 pub(crate) enum Found {
     /// In a scene by itself, or in a file.
     Solved { solved: Arc<Solved>, is_saved: bool },
-    /// In a frame, with these options.
-    Frame { frame: Box<Frame>, options: Options },
+    /// In a frame.
+    Frame(Box<Frame>),
 }
 
 impl Found {
     fn scene(&self) -> &scene::Scene {
         match self {
             Self::Solved { solved, .. } => &solved.scene,
-            Self::Frame { frame, .. } => &frame.scene,
+            Self::Frame(frame) => &frame.scene,
         }
     }
 
     fn solution(&self) -> &solution::Solution {
         match self {
             Self::Solved { solved, .. } => &solved.outcome.solution,
-            Self::Frame { frame, .. } => &frame.solution,
+            Self::Frame(frame) => &frame.solution,
         }
     }
 
     fn visibility(&self) -> &Visibility {
         match self {
             Self::Solved { solved, .. } => solved.visibility(),
-            Self::Frame { frame, .. } => &frame.visibility,
-        }
-    }
-
-    fn options(&self) -> &Options {
-        match self {
-            Self::Solved { solved, .. } => &solved.options,
-            Self::Frame { options, .. } => options,
+            Self::Frame(frame) => &frame.visibility,
         }
     }
 
     fn reading(&self, request: &ReadRequest, method: &MethodRequest) -> ReadSettings {
         match self {
             Self::Solved { solved, is_saved } => request.reading(method, solved, *is_saved),
-            Self::Frame { .. } => request.plain(method),
+            Self::Frame(_) => request.plain(method),
         }
     }
 }
@@ -88,15 +82,15 @@ impl Found {
 type Readings<'py> = (Bound<'py, PyArrayDyn<f64>>, Bound<'py, PyArrayDyn<f64>>);
 
 impl Light {
-    /// Light that was found by this method.
-    pub(crate) fn new(found: Found, method: MethodRequest) -> Self {
-        Self { found, method }
+    /// Light that was found by this method, with these options.
+    pub(crate) fn new(found: Found, options: Options, method: MethodRequest) -> Self {
+        Self { found, options, method }
     }
 
     /// Reading of the light as `given`, and number of threads.
     fn reading(&self, given: &mut Arguments<'_>, request: ReadRequest) -> PyResult<(ReadSettings, usize)> {
-        let threads = given.value("threads")?.map_or(self.found.options().threads, ranges::Threads::count);
-        request.check(self.found.options(), &self.method).map_err(Trouble::from)?;
+        let threads = given.value("threads")?.map_or(self.options.threads, ranges::Threads::count);
+        request.check(&self.options, &self.method).map_err(Trouble::from)?;
         Ok((self.found.reading(&request, &self.method), threads))
     }
 
@@ -246,7 +240,7 @@ impl Light {
         given: &Bound<'_, PyDict>,
         observer: Option<Bound<'_, PyAny>>,
     ) -> PyResult<Bound<'py, PyArrayDyn<f64>>> {
-        let shot = picture::Shot::of(camera, given, self.found.scene(), self.found.options(), &self.method)?;
+        let shot = picture::Shot::of(camera, given, self.found.scene(), &self.options, &self.method)?;
         let raster = self.read(py, observer.as_ref(), shot.threads, |progress| {
             shot.take(self.found.solution(), self.found.visibility(), progress)
         })?;

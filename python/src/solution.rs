@@ -93,7 +93,7 @@ impl Solution {
     #[getter]
     fn light(&self) -> Light {
         let found = Found::Solved { solved: Arc::clone(&self.solved), is_saved: self.is_saved };
-        Light::new(found, self.method.clone())
+        Light::new(found, self.solved.options, self.method.clone())
     }
 
     /// The report, in JSON.

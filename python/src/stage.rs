@@ -125,8 +125,8 @@ impl Stage {
             warn(py, &missed(error, [one, other]))?;
         }
         let (unsolved, noise) = (frame.interpolated.unwrap_or(0.0), frame.rays);
-        let found = Found::Frame { frame: Box::new(frame), options: self.options };
-        Ok((Light::new(found, self.method.clone()), unsolved, noise))
+        let found = Found::Frame(Box::new(frame));
+        Ok((Light::new(found, self.options, self.method.clone()), unsolved, noise))
     }
 
     /// Cost and error of all frames so far, in JSON.
