@@ -14,18 +14,23 @@ from . import options
 from ._radiosity import Error, RadiosityWarning, __version__, builtins
 from .files import load, load_solution
 from .heat import Heat
+from .light import Light
 from .plane import Plane
 from .scene import Scene
 from .solution import Solution
+from .stage import Frame, Stage
 from .view_factors import ViewFactors, view_factor, view_factors
 
 __all__ = [
     "Error",
+    "Frame",
     "Heat",
+    "Light",
     "Plane",
     "RadiosityWarning",
     "Scene",
     "Solution",
+    "Stage",
     "ViewFactors",
     "__version__",
     "builtins",

@@ -14,6 +14,7 @@ use radiosity::request::picture::NoCamera;
 use radiosity::request::{LoadError, Refusal};
 use radiosity::scene::{Fault, FaultKind, SceneError};
 use radiosity::solve::Failure;
+use radiosity::solve::animation::error::AnimationError;
 use radiosity::solve::solved::RelightError;
 use radiosity::work::wording::{Wording, words};
 
@@ -132,6 +133,18 @@ impl From<RelightError> for Trouble {
 impl From<Failure> for Trouble {
     fn from(failure: Failure) -> Self {
         Self::told(&failure.message(), failure.cure())
+    }
+}
+
+impl From<AnimationError> for Trouble {
+    fn from(error: AnimationError) -> Self {
+        match error {
+            AnimationError::Scene(error) => error.into(),
+            AnimationError::Unsolved { failure, .. } | AnimationError::UnsolvedByHand { failure } => {
+                (*failure).into()
+            }
+            other => Self::plain(other, None),
+        }
     }
 }
 

@@ -17,8 +17,10 @@ mod view_factors;
 mod grid;
 mod plane;
 mod picture;
+mod light;
 mod solution;
 mod solve;
+mod stage;
 
 use pyo3::prelude::*;
 
@@ -38,6 +40,8 @@ mod _radiosity {
     #[pymodule_export]
     use super::heat::{Heat, heat_of};
     #[pymodule_export]
+    use super::light::Light;
+    #[pymodule_export]
     use super::mesh::mesh_polygons;
     #[pymodule_export]
     use super::plane::Plane;
@@ -47,6 +51,8 @@ mod _radiosity {
     use super::solution::{Solution, load_solution};
     #[pymodule_export]
     use super::solve::solution_of;
+    #[pymodule_export]
+    use super::stage::Stage;
     #[pymodule_export]
     use super::tree::Faces;
     #[pymodule_export]

@@ -10,8 +10,8 @@ use radiosity::reading::reader::ReadMode;
 use radiosity::request::picture::{SAMPLES, camera, pixels, require_pixels, sized};
 use radiosity::request::{MethodRequest, check_aim, ranges};
 use radiosity::scene::{Camera, Scene};
+use radiosity::solve::Options;
 use radiosity::solve::solution::Solution as Light;
-use radiosity::solve::solved::Solved;
 use radiosity::visibility::Visibility;
 use radiosity::work::Work;
 use radiosity::work::ranks::Ranks;
@@ -48,11 +48,11 @@ impl Shot {
     pub(crate) fn of(
         through: Option<Given>,
         given: &Bound<'_, PyDict>,
-        solved: &Solved,
+        scene: &Scene,
+        options: &Options,
         method: &MethodRequest,
     ) -> PyResult<Self> {
         let mut given = Arguments::of(given)?;
-        let scene = &solved.scene;
         let size = given.pair::<ranges::Pixels>("size")?.map(|size| size.map(|pixels| pixels.count() as u32));
         let camera = match through {
             Some(own) => sized(own.of(scene)?, size),
@@ -64,7 +64,7 @@ impl Shot {
                 .map_or(SAMPLES, |samples| samples.count() as u32),
             read: method.read(given.value("read")?),
             show: given.value("show")?.unwrap_or_default(),
-            threads: given.value("threads")?.map_or(solved.options.threads, ranges::Threads::count),
+            threads: given.value("threads")?.map_or(options.threads, ranges::Threads::count),
             camera,
         };
         let memory = given.parsed("memory")?.or(method.memory);

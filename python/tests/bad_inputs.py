@@ -139,6 +139,7 @@ PARTS = {
 
 SMALL = radiosity.load("parallel-squares")
 LIGHT = SMALL.solve(progress=False)
+STAGE = radiosity.Stage(radiosity.load("sliding-light"), order=0)
 FOLDER = tempfile.TemporaryDirectory()
 SAVED = os.path.join(FOLDER.name, "light.json")
 LIGHT.save(SAVED)
@@ -200,6 +201,8 @@ CALLS = [
     Call(LIGHT.grid, {"cells": (2, 2), "read": "basis"}),
     Call(LIGHT.render, {"camera": None, "size": (4, 3), "read": "basis", "samples": 1}),
     Call(LIGHT.relight, {"factors": {}}),
+    Call(STAGE.move_to, {"mover": "lamp", "translate": [0.0, 0.0, 0.0], "rotate": None}, {"mover": ["motion"], "translate": ["number"]}),
+    Call(STAGE.emit, {"mover": "lamp", "factors": 0.5}, {"mover": ["motion"]}),
     Call(radiosity.view_factors, {"of": [SQUARE, ABOVE], **TRANSFERS}, {"of": ["polygons"]}),
     Call(
         radiosity.view_factor,

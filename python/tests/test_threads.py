@@ -20,6 +20,7 @@ AFTER = {
     "solve": "solution()",
     "load_solution": "radiosity.load_solution(saved)",
     "relight": "solution().relight({})",
+    "stage": "radiosity.Stage(radiosity.load('sliding-light'), order=0, threads=1).frame()",
     "read": "solution().irradiance([[278, 100, 200]], [0, 1, 0])",
     "factors": "radiosity.view_factors(radiosity.load('cornell-box'), eps=1e-2, threads=1)",
     "heat": "radiosity.load('oven').heat(order=0, conductances=True, threads=1)",

@@ -37,6 +37,7 @@ mod scene_format;
 mod shapes;
 mod shots;
 mod sources;
+mod stage;
 mod tessellation;
 mod textures;
 mod transport;

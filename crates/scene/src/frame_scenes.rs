@@ -4,7 +4,7 @@
 //! the other ([`FrameScenes`]), surfaces that are where they were in the one before are the same ones in memory,
 //! too.
 
-use std::sync::Arc;
+use std::{borrow::Cow, sync::Arc};
 
 use radiosity_geom::Surface;
 
@@ -22,7 +22,7 @@ use crate::{
 /// The still scenes of a scene that moves, one after the other, in any order.
 #[derive(Debug)]
 pub struct FrameScenes<'a> {
-    scene: &'a Scene,
+    scene: Cow<'a, Scene>,
     /// The surfaces of the still scene that was made last.
     before: Vec<PlacedShape>,
 }
@@ -34,15 +34,22 @@ struct PlacedShape {
     shape: Arc<dyn Surface>,
 }
 
+impl FrameScenes<'static> {
+    /// The still scenes of `scene`, which they keep.
+    pub fn owned(scene: Scene) -> Self {
+        Self { scene: Cow::Owned(scene), before: Vec::new() }
+    }
+}
+
 impl<'a> FrameScenes<'a> {
     /// The still scenes of `scene`, of which none is made yet.
     pub fn of(scene: &'a Scene) -> Self {
-        Self { scene, before: Vec::new() }
+        Self { scene: Cow::Borrowed(scene), before: Vec::new() }
     }
 
     /// The scene with its motions.
-    pub fn scene(&self) -> &'a Scene {
-        self.scene
+    pub fn scene(&self) -> &Scene {
+        &self.scene
     }
 
     /// The still scene at a moment, equal to that of [`Scene::at_moment`] to the bit.

@@ -1,10 +1,14 @@
 //! The light of one frame.
 
+use radiosity_geom::DVec3;
+use radiosity_light::receiver_point::ReceiverPoint;
 use radiosity_scene::Scene;
 use radiosity_visibility::Visibility;
 
 use crate::driver::FrameLight;
+use crate::gather::Gather;
 use crate::solution::Solution;
+use crate::tolerances::AT_A_POINT;
 
 /// The light of a frame.
 #[derive(Debug)]
@@ -28,5 +32,11 @@ impl Frame {
     pub(super) fn of(scene: Scene, visibility: Visibility, light: FrameLight) -> Self {
         let rays = light.noise();
         Self { scene, visibility, solution: light.solution, interpolated: None, rays }
+    }
+    /// Irradiance per band at a point in the open, for the unit normal `normal`, as
+    /// [`Solved::irradiance_at`](crate::solved::Solved::irradiance_at) has it of a still scene.
+    pub fn irradiance_at(&self, position: DVec3, normal: DVec3) -> Vec<f64> {
+        let gather = Gather::new(&self.solution, &self.visibility, AT_A_POINT);
+        gather.at(&ReceiverPoint::free(position, normal))
     }
 }

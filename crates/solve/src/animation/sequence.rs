@@ -95,6 +95,13 @@ impl Kept {
     }
 }
 
+impl Sequence<'static> {
+    /// The sequence of [`Sequence::incremental`] of a scene that it keeps.
+    pub(super) fn incremental_owned(scene: Scene, options: &Options) -> Self {
+        Self::following(FrameScenes::owned(scene), options, f64::INFINITY)
+    }
+}
+
 impl<'a> Sequence<'a> {
     /// The frames of `scene`, all solved with the same options.
     pub fn new(scene: &'a Scene, options: &Options) -> Self {
@@ -103,10 +110,14 @@ impl<'a> Sequence<'a> {
 
     /// The sequence of [`Sequence::new`], to the bit, with nothing kept between frames.
     pub fn fresh(scene: &'a Scene, options: &Options) -> Self {
+        Self::of(FrameScenes::of(scene), options)
+    }
+
+    fn of(frame_scenes: FrameScenes<'a>, options: &Options) -> Self {
         Self {
-            frame_scenes: FrameScenes::of(scene),
+            layout: Layout::of(frame_scenes.scene(), options),
+            frame_scenes,
             options: *options,
-            layout: Layout::of(scene, options),
             kept: Kept::default(),
             report: SequenceReport::default(),
             counts: SeriesCounts::default(),
@@ -124,7 +135,11 @@ impl<'a> Sequence<'a> {
     /// As [`Sequence::incremental`], solved to this relative residual at least where exact blocks carry the
     /// pairs.
     pub(super) fn incremental_within(scene: &'a Scene, options: &Options, residual: f64) -> Self {
-        let fresh = Self::fresh(scene, options);
+        Self::following(FrameScenes::of(scene), options, residual)
+    }
+
+    fn following(frame_scenes: FrameScenes<'a>, options: &Options, residual: f64) -> Self {
+        let fresh = Self::of(frame_scenes, options);
         let wanted = match fresh.layout.is_by_rays() {
             true => OF_NOISY_BLOCK * options.eps,
             false => residual.min(OF_BLOCK * options.eps),
@@ -146,7 +161,7 @@ impl<'a> Sequence<'a> {
     }
 
     /// The scene with its motions.
-    pub(super) fn scene(&self) -> &'a Scene {
+    pub(super) fn scene(&self) -> &Scene {
         self.frame_scenes.scene()
     }
 

@@ -1,7 +1,9 @@
 //! A stage: a scene in which somebody else says where things are, and its light, frame after frame.
 //!
 //! Nothing has to be known in advance of where movers go or how they shine. Each frame is found from the one
-//! before ([`Sequence::incremental`]): only what has changed is integrated, traced and solved for.
+//! before ([`Sequence::incremental`]): only what has changed is integrated, traced and solved for. Direct light
+//! that is split off is found anew; where frames have to be quick, [`Direct::Projected`](crate::driver::Direct)
+//! leaves it to the blocks.
 
 use radiosity_scene::{Animation, Fault, MoverState, Pose, Scene, SceneError};
 use radiosity_work::Work;
@@ -22,8 +24,7 @@ use super::sequence_report::SequenceReport;
 /// use radiosity_solve::animation::stage::Stage;
 /// use radiosity_work::Work;
 ///
-/// let scene = radiosity_language::builtin("sliding-light")?;
-/// let mut stage = Stage::new(&scene, &Options::default())?;
+/// let mut stage = Stage::new(radiosity_language::builtin("sliding-light")?, &Options::default())?;
 /// let mut light = Vec::new();
 /// for step in 0..3 {
 ///     let shift = DVec3::new(-0.4 * f64::from(step), 0.0, 0.0);
@@ -36,26 +37,32 @@ use super::sequence_report::SequenceReport;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug)]
-pub struct Stage<'a> {
-    sequence: Sequence<'a>,
-    animation: &'a Animation,
+pub struct Stage {
+    sequence: Sequence<'static>,
+    animation: Animation,
     states: Vec<MoverState>,
 }
 
-impl<'a> Stage<'a> {
+impl Stage {
     /// The stage of `scene`, whose motions name what may be moved or dimmed, all at rest; frames are solved
     /// with `options`.
     ///
     /// # Errors
     /// A scene without motions.
-    pub fn new(scene: &'a Scene, options: &Options) -> Result<Self, AnimationError> {
+    pub fn new(scene: Scene, options: &Options) -> Result<Self, AnimationError> {
         let nothing_moves = || {
             let cure = "add frames = 1 and a [[motion]] for each thing that is placed";
             SceneError::of(&scene.origin, Fault::absent("nothing moves in the scene", cure))
         };
-        let animation = scene.animation.as_ref().ok_or_else(nothing_moves)?;
+        let animation = scene.animation.clone().ok_or_else(nothing_moves)?;
         let states = vec![MoverState::REST; animation.movers.len()];
-        Ok(Self { sequence: Sequence::incremental(scene, options), animation, states })
+        let sequence = Sequence::incremental_owned(scene, options);
+        Ok(Self { sequence, animation, states })
+    }
+
+    /// The scene with its motions.
+    pub fn scene(&self) -> &Scene {
+        self.sequence.scene()
     }
 
     /// Puts a mover into a pose, in the coordinates of the scene's file, from the next frame on.
@@ -63,7 +70,7 @@ impl<'a> Stage<'a> {
     /// # Errors
     /// A name of no mover.
     pub fn move_to(&mut self, mover: &str, pose: Pose) -> Result<(), AnimationError> {
-        let middle = self.sequence.scene().middle;
+        let middle = self.scene().middle;
         self.state(mover)?.pose = pose.about(middle);
         Ok(())
     }
@@ -81,7 +88,7 @@ impl<'a> Stage<'a> {
     /// The light where all movers are now.
     ///
     /// # Errors
-    /// As [`Sequence::placed`]; the stage goes on from the last frame that was found.
+    /// As [`Sequence::placed`]. Movers stay where they are; once the cause is mended, the next frame is found.
     pub fn frame(&mut self, work: &Work<'_>) -> Result<Frame, AnimationError> {
         self.sequence.placed(&self.states, work)
     }
@@ -92,8 +99,8 @@ impl<'a> Stage<'a> {
     }
 
     fn state(&mut self, mover: &str) -> Result<&mut MoverState, AnimationError> {
-        let found = self.animation.mover(mover);
-        let place = found.map_err(|fault| SceneError::of(&self.sequence.scene().origin, fault))?;
+        let place =
+            self.animation.mover(mover).map_err(|fault| SceneError::of(&self.scene().origin, fault))?;
         Ok(&mut self.states[place])
     }
 }
