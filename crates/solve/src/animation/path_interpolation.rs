@@ -73,7 +73,7 @@ pub(super) struct PathInterpolation<'a> {
     latest: Option<usize>,
 }
 
-/// What became of some frames ahead.
+/// Outcomes of an attempt on some frames ahead.
 enum Attempt {
     Found(Interpolant),
     /// The frames are to be solved one by one.

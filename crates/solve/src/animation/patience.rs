@@ -11,7 +11,7 @@ const LOST: f64 = 0.06;
 /// Most that a frame far away costs.
 const DEAREST: f64 = 2.0;
 
-/// What may still be lost, in frames that are solved one after the other.
+/// Time that may still be lost, in frames that are solved one after the other.
 #[derive(Debug)]
 pub(super) struct Patience {
     left: f64,

@@ -1,4 +1,4 @@
-//! What is kept of a model for the next scene, in which some things have moved or changed.
+//! Parts of a model that are kept for the next scene, in which some things have moved or changed.
 
 use radiosity_kernel::Blocks;
 use radiosity_transport::{KeptBlocks, StandingRays};

@@ -155,7 +155,7 @@ impl KeptRays {
         }
     }
 
-    /// What the rays of an element met in this scene, as far as there was room.
+    /// Hits of the rays of an element in this scene, as far as there was room.
     pub(crate) fn hits(&self, element: usize) -> &[KeptHit] {
         &self.now[element].hits
     }
