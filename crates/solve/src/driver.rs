@@ -47,6 +47,7 @@ mod decisions;
 mod emission;
 mod solve_band;
 mod sampling;
+mod light_shares;
 mod kept_model;
 mod subject;
 mod assembly;

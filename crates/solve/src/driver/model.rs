@@ -160,7 +160,7 @@ impl Model {
             kept.blocks.move_to(scene, elements, visibility);
         }
         let mut took = Duration::ZERO;
-        let known = kept.as_deref_mut().and_then(|kept| kept.unchanged(&senders(scene)));
+        let known = kept.as_deref_mut().and_then(|kept| kept.unchanged(&senders(scene), &subject.shares()));
         let found = || known.unwrap_or_else(|| carried(scene, &subject, *rays, kept));
         let (blocks, sampling) = timed(&mut took, found);
         work.report(Progress::Finished { stage: Stage::Blocks, took });

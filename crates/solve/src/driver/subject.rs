@@ -27,6 +27,7 @@ use crate::system::ritz::Ritz;
 use crate::system::{Coefficients, System};
 
 use super::kept_model::KeptModel;
+use super::light_shares::LightShares;
 use super::options::Options;
 use super::sampling::Sampling;
 use super::solve_band::solve_band;
@@ -87,26 +88,49 @@ impl Subject<'_> {
         match kept {
             Some(KeptModel { blocks, standing: Some(standing), .. }) => {
                 transport.keep_standing(&mut standing.rays, blocks);
-                standing.tell(sampling);
+                standing.tell(sampling, self.shares());
+                standing.note_spread();
             }
             kept => transport.keep_rays(kept.map(|kept| &mut kept.blocks)),
         }
         (blocks, sampling)
     }
 
-    /// The blocks by the rays of the scene before, where these stand.
+    /// Shares of the elements in the light that rays are spread for.
+    pub(super) fn shares(&self) -> LightShares {
+        let list = self.elements.list();
+        let powers = |band: usize, coating: &Coating, entry: &DirectLightEntry| -> Vec<f64> {
+            let lit = match entry {
+                DirectLightEntry::Lit(lit) => self.means(&lit[band]),
+                _ => vec![0.0; list.len()],
+            };
+            let sent = list.iter().zip(lit).enumerate();
+            sent.map(|(index, (element, lit))| {
+                let reflected = coating.reflectance[index] * lit.max(0.0);
+                element.area * (coating.exitance[index] + reflected)
+            })
+            .collect()
+        };
+        let bands = self.bands.iter().enumerate().flat_map(|(band, coatings)| {
+            coatings.iter().zip(self.entries).map(move |(coating, entry)| (band, *coating, entry))
+        });
+        LightShares::of(bands.map(|(band, coating, entry)| powers(band, coating, entry)).collect())
+    }
+
+    /// The blocks by the rays of the scene before, where these stand and were spread for light like this.
     fn follow(&self, rays: u64, kept: &mut KeptModel) -> Option<(Blocks, Sampling)> {
         let Self { elements, visibility, work, .. } = *self;
         let KeptModel { blocks: kept, standing, .. } = kept;
-        let standing = standing.as_mut()?;
+        let shares = self.shares();
+        let standing = standing.as_mut().filter(|standing| standing.fit(&shares))?;
         let accuracy = self.accuracy(rays);
         let transport =
             SampledTransport::standing(elements, visibility, accuracy, &mut standing.rays, kept, work)?;
         let planned = transport.sent().iter().sum();
-        let told = standing.told();
+        let told = standing.told(&shares);
         let sampling = told.unwrap_or_else(|| self.worth(&transport, rays, planned));
-        if told.is_none() {
-            standing.tell(sampling);
+        if told.is_none() && !standing.tell(sampling, shares) {
+            return None;
         }
         let blocks = transport.blocks(Rays::All);
         transport.keep_standing(&mut standing.rays, kept);

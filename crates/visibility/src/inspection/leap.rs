@@ -12,6 +12,11 @@ use crate::inspection::sheet::{Sheet, Sheets};
 /// Chords of a step: of a turn by 40° from a frame to the next they are off by 4e-3 of the radius. Chosen.
 const CHORDS: usize = 4;
 
+/// Parts of a border between which its nearest place to a point is looked for, and how often what is left is
+/// cut by a third: to 1e-8 of the border.
+const PARTS: u32 = 16;
+const THIRDS: usize = 40;
+
 /// The pairs of sheets, by index, that pass through each other between a frame and the next one.
 pub(super) fn leaps(scene: &Scene, rest: &Sheets, frame: usize) -> Vec<[usize; 2]> {
     let Some(animation) = &scene.animation else { return Vec::new() };
@@ -90,6 +95,23 @@ fn points(sheet: &Sheet) -> Vec<DVec3> {
     on_borders.chain(sheet.samples().into_iter().map(|plane| plane.point)).collect()
 }
 
+/// Whether a point of a sheet lies within `tolerance` of its border (scene length): what slides over it there
+/// stands on that border, or ends at it.
+fn is_on_border(sheet: &Sheet, point: DVec3, tolerance: f64) -> bool {
+    let step = 2.0 / f64::from(PARTS);
+    sheet.patch().borders().iter().any(|border| {
+        let distance = |w: f64| border.point(w.clamp(-1.0, 1.0)).distance(point);
+        let places = (0..=PARTS).map(|part| -1.0 + step * f64::from(part));
+        let nearest = places.min_by(|a, b| distance(*a).total_cmp(&distance(*b))).unwrap_or(0.0);
+        let (mut low, mut high) = (nearest - step, nearest + step);
+        for _ in 0..THIRDS {
+            let [a, b] = [(2.0 * low + high) / 3.0, (low + 2.0 * high) / 3.0];
+            if distance(a) < distance(b) { high = b } else { low = a }
+        }
+        distance(0.5 * (low + high)) <= tolerance
+    })
+}
+
 /// Whether the chords between these places lead through the sheet: all of them together begin and end off it.
 fn passes(places: &[DVec3], sheet: &Sheet) -> bool {
     let [start, end] = [places[0], places[places.len() - 1]];
@@ -100,6 +122,9 @@ fn passes(places: &[DVec3], sheet: &Sheet) -> bool {
             return false;
         }
         let Some(hit) = sheet.shape.intersect(&ray) else { return false };
+        if is_on_border(sheet, ray.at(hit.t), tolerance) {
+            return false;
+        }
         let normal = sheet.shape.jet(hit.u, hit.v).normal;
         let off = [start, end].map(|place| (place - ray.at(hit.t)).dot(normal));
         off.iter().all(|height| height.abs() > tolerance) && off[0] * off[1] < 0.0
