@@ -663,3 +663,51 @@ proptest! {
         }
     }
 }
+
+#[test]
+fn rays_are_spread_anew_where_another_lamp_takes_over() {
+    // Two small lamps, each in a corner of its own behind a screen.
+    let scene = typed(
+        r#"
+        frames = 11
+        camera = { eye = [1, 1, 1], target = [2, 2, 1] }
+        materials.wall = { reflectance = 0.6 }
+        materials.lamp = { reflectance = 0, emission = 100 }
+        [[surfaces]]
+        name = "room"
+        material = "wall"
+        box = { origin = [0, 0, 0], size = [8, 6, 3], inward = true }
+        [[surfaces]]
+        name = "screen"
+        material = "wall"
+        two_sided = true
+        quad = { vertices = [[4, 0.5, 0.1], [4, 5.5, 0.1], [4, 5.5, 2.8], [4, 0.5, 2.8]] }
+        [[surfaces]]
+        name = "left"
+        material = "lamp"
+        quad = { vertices = [[1, 1, 2.9], [1, 1.1, 2.9], [1.1, 1.1, 2.9], [1.1, 1, 2.9]] }
+        [[surfaces]]
+        name = "right"
+        material = "lamp"
+        quad = { vertices = [[7, 5, 2.9], [7, 5.1, 2.9], [7.1, 5.1, 2.9], [7.1, 5, 2.9]] }
+        [[motion]]
+        name = "out"
+        surfaces = "left"
+        emission = { factors = [1, 0] }
+        [[motion]]
+        name = "in"
+        surfaces = "right"
+        emission = { factors = [0, 1] }
+        "#,
+    );
+    let numbers: Vec<usize> = (0..11).collect();
+    for way in [FollowMode::Incremental, FollowMode::Path { tolerance: 1e-4 }] {
+        let followed = frames(&scene, &by_rays(), way, &numbers);
+        let alone = frames(&scene, &by_rays(), FollowMode::Fresh, &numbers);
+        for ((frame, alone), number) in followed.iter().zip(&alone).zip(&numbers) {
+            let apart = apart(&frame.solution, &alone.solution);
+            assert!(apart <= 2.0 * (frame.rays + alone.rays), "{way:?} {number}: {apart} {}", frame.rays);
+            assert!(frame.rays <= 2.0 * alone.rays, "{way:?} {number}: {} {}", frame.rays, alone.rays);
+        }
+    }
+}

@@ -572,6 +572,23 @@ fn what_is_passed_between_two_frames_is_told_and_what_slides_or_lands_is_not() {
 }
 
 #[test]
+fn what_stands_on_a_floor_slides_and_turns_over_it_and_is_told_where_it_sinks() {
+    // A box and a can on a floor, pushed by steps of more than their width, and turned.
+    let told = |motion: &str| {
+        let scene = typed(&format!(
+            "frames = 5\n[[surfaces]]\nname = \"floor\"\nquad = {{ vertices = [[-4,-4,0], [4,-4,0], [4,4,0], [-4,4,0]] }}\n\
+             [[surfaces]]\nname = \"box\"\nbox = {{ origin = [0,0,0], size = [0.3,0.4,0.5], open = [\"bottom\"] }}\n\
+             [[surfaces]]\nname = \"can\"\ncylinder = {{ base = [1,1,0], axis = [0,0,0.5], radius = 0.2 }}\n\
+             [[motion]]\nsurfaces = [\"box\", \"can\"]\n{motion}\n"
+        ));
+        passages(&scene, [0, 4]).len()
+    };
+    assert_eq!(told("translate = { points = [[0,0,0], [2,1,0]] }"), 0);
+    assert_eq!(told("rotate = { center = [0.5,0,0], axis = [0,0,1], angles = [0,200] }"), 0);
+    assert!(told("translate = { points = [[0,0,0], [0,0,-2]] }") > 0);
+}
+
+#[test]
 fn built_in_scenes_that_move_look_right_in_every_frame() {
     let moving: Vec<Scene> = radiosity::language::builtins()
         .iter()

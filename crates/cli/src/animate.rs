@@ -84,8 +84,8 @@ pub(crate) struct AnimateArgs {
     #[arg(long = "animation", value_name = "WAY", default_value = "path")]
     way: Follow,
 
-    /// Relative error that light interpolated along a path may have; by rays 0.3 of the error that these
-    /// leave, if that is more. With series that of a block, relative to its largest entry
+    /// Relative error that light interpolated along a path may have, twice that where single frames stray; by
+    /// rays 0.3 of the error that these leave, if that is more. With series that of a block, relative to its largest entry
     #[arg(long, value_name = "E", default_value = "1e-4", value_parser = number::<Fraction>)]
     path_eps: f64,
 

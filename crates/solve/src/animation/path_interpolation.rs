@@ -17,8 +17,8 @@
 //! meet it: some more frames are solved one by one before it is looked again.
 //!
 //! Frames that are solved follow from whichever was solved last ([`Sequence::incremental`]); what they leave
-//! unsolved counts to the error of interpolation. So is a frame whose elements are not those of the nodes:
-//! things that slide over others change the elements below.
+//! unsolved counts to the error of interpolation. A frame whose elements are not those of the nodes is solved,
+//! too: things that slide over others change the elements below.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;

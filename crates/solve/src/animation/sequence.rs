@@ -1,10 +1,16 @@
-//! Frames solved one after the other, each as it would be alone.
+//! Frames solved one after the other, each as it would be alone, or from the one before.
 //!
 //! Nothing is known of the path: any frame may follow any other. What has not moved keeps its blocks, and
 //! rays into whose way nothing has come keep their hits (`crates/transport/src/kept_blocks.rs`);
 //! what has is integrated and traced again, and so are the pairs between which it came or went. The solution
-//! of a frame does not depend on the frames before it, not in a bit, so nothing can drift. Whether rays or
-//! exact blocks carry the pairs, and how surfaces are cut, is decided once, for the scene at rest.
+//! of a frame does not depend on the frames before it, not in a bit, so nothing can drift.
+//!
+//! An incremental sequence starts each solution from the light of the frame before and ends it at a residual
+//! of the whole system, which does not add up over frames; and its rays stand
+//! (`crates/transport/src/sampled/standing.rs`).
+//!
+//! Whether rays or exact blocks carry the pairs, and how surfaces are cut, is decided once, for the scene at
+//! rest.
 
 use std::mem;
 use std::sync::Arc;
