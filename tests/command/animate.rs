@@ -264,7 +264,7 @@ fn what_passes_through_another_is_told_before_the_frames_are_made() {
 #[test]
 fn series_tell_their_error_and_when_they_are_repaid() {
     let folder = folder(&[("room.toml", ROOM), ("points.csv", POINTS)]);
-    let animate = ["animate", "room.toml", "--probe", "points.csv", "--transport", "exact", "--order", "1"];
+    let animate = ["animate", "room.toml", "--probe", "points.csv", "--transport", "exact", "--order", "3"];
     let told = |more: &[&str]| done(folder.path(), &[&animate[..], more].concat());
     let [table, line] = told(&["--animation", "series"]);
     assert!(line.contains("known to ") && line.contains("set-up "), "{line}");
@@ -384,7 +384,10 @@ mod films {
         };
         assert!(signal("-INT", &run.id().to_string()));
         assert_eq!(run.wait().expect("it ends").code(), Some(130));
-        assert!(!signal("-0", number().expect("it is there").trim()), "the program goes on");
+        // Who has lost its parent ends a moment later.
+        let goes_on = || signal("-0", number().expect("it is there").trim());
+        let tries = (0..1000).take_while(|_| goes_on()).map(|_| thread::sleep(Duration::from_millis(5)));
+        assert!(tries.count() < 1000, "the program goes on");
         assert_eq!(names(folder), ["bin", "points.csv", "room.toml"]);
     }
 }
