@@ -218,7 +218,9 @@ fn light_between_bends_of_the_emission_is_interpolated() {
             // By rays each frame has noise of its own.
             let told = frame.interpolated.expect("an error");
             let most = if fresh.rays > 0.0 { 2.0 * fresh.rays + 2.0 * frame.rays } else { told };
-            assert!(told <= 1e-4 || *number == 80, "{number}: {told}");
+            // By rays less is solved for.
+            let expected = if fresh.rays > 0.0 { 1e-3 } else { 1e-4 };
+            assert!(told <= expected || *number == 80, "{number}: {told}");
             assert!(apart(&frame.solution, &fresh.solution) <= most || *number == 80, "{number}");
             if *number == 80 {
                 let whole =

@@ -85,7 +85,8 @@ pub(crate) struct AnimateArgs {
     way: Follow,
 
     /// Relative error that light interpolated along a path may have, twice that where single frames stray; by
-    /// rays 0.3 of the error that these leave, if that is more. With series that of a block, relative to its largest entry
+    /// rays 0.3 of the error that these leave, if that is more. With series that of a block, relative to its
+    /// largest entry
     #[arg(long, value_name = "E", default_value = "1e-4", value_parser = number::<Fraction>)]
     path_eps: f64,
 
