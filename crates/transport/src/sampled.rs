@@ -25,6 +25,7 @@
 mod sender;
 mod hit;
 mod tally;
+mod element_sums;
 mod exact_pairs;
 mod rays;
 mod closure;
@@ -47,6 +48,7 @@ use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
 use crate::kept_blocks::{KeptBlocks, KeptHit, KeptRays};
+use element_sums::{CountedRay, ElementSums};
 pub(crate) use estimate::Fixed;
 use estimate::{Counted, Counts, Estimate};
 use exact_pairs::ExactPairs;
@@ -55,7 +57,7 @@ pub use rays::Rays;
 use sender::{Departure, Sender};
 pub use standing::StandingRays;
 use standing::{ElementRays, StandingRay, State};
-use tally::{Sums, Tally, functions};
+use tally::{Sums, Tally};
 
 /// Relative error of exact pairs, as far as it matters here. Chosen: the default accuracy of their blocks.
 const EXACT: f64 = 1e-3;
@@ -105,12 +107,7 @@ struct RayTask {
 /// Sums over the rays of a task, and its hits, as far as a rank counts them.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 struct RaySums {
-    /// Sum of the weights of the rays, in either half.
-    weights: [f64; 2],
-    /// Σ w φ_k(x) over the rays that met no front, in either half.
-    missed: [Vec<f64>; 2],
-    /// Σ w φ_k(x) over the rays that landed on pairs that are carried exactly, in either half.
-    exact: [Vec<f64>; 2],
+    sums: ElementSums,
     /// Hits of the rays that landed on pairs that the rank counts.
     hits: Vec<Hit>,
 }
@@ -127,8 +124,7 @@ struct SentRays {
 impl RaySums {
     /// These sums without the hits.
     fn without_hits(&self) -> Self {
-        let Self { weights, missed, exact, .. } = self;
-        Self { weights: *weights, missed: missed.clone(), exact: exact.clone(), hits: Vec::new() }
+        Self { sums: self.sums.clone(), hits: Vec::new() }
     }
 }
 
@@ -394,17 +390,10 @@ impl<'a> SampledTransport<'a> {
         let mut parcels: Vec<_> = parcels.into_iter().map(Vec::into_iter).collect();
         let mut hits = Vec::new();
         for (RayTask { element, count, .. }, maker) in tasks.iter().zip(makers) {
-            let sums = parcels[maker].next().expect("each rank ran its tasks");
+            let own = parcels[maker].next().expect("each rank ran its tasks");
             self.sent[*element] += count;
-            for half in 0..2 {
-                self.counts.weights[*element][half] += sums.weights[half];
-                let Counts { missed, exact, .. } = &mut self.counts;
-                for (sums, own) in [(missed, &sums.missed), (exact, &sums.exact)] {
-                    let sums = sums[half][self.starts[*element]..].iter_mut();
-                    sums.zip(&own[half]).for_each(|(sum, value)| *sum += value);
-                }
-            }
-            hits.extend(sums.hits);
+            self.counts.add(*element, self.starts[*element], &own.sums);
+            hits.extend(own.hits);
         }
         self.tally.take(self.elements.list(), &hits);
     }
@@ -427,8 +416,7 @@ impl<'a> SampledTransport<'a> {
             return vec![sums; ranks];
         }
         let counted = |rank: usize, sums: &RaySums| {
-            let is_counted =
-                |hit: &&Hit| [hit.source, hit.target].iter().any(|end| self.held.rank(*end as usize) == rank);
+            let is_counted = |hit: &&Hit| hit.is_counted_by(rank, &self.held);
             RaySums { hits: sums.hits.iter().filter(is_counted).copied().collect(), ..sums.without_hits() }
         };
         (0..ranks).map(|rank| sums.iter().map(|sums| counted(rank, sums)).collect()).collect()
@@ -438,10 +426,9 @@ impl<'a> SampledTransport<'a> {
     fn sent_by(&self, task: &RayTask) -> SentRays {
         let sender = &self.senders[task.element];
         let element = &self.elements.list()[task.element];
-        let nothing = || [vec![0.0; element.basis.len()], vec![0.0; element.basis.len()]];
         let hits = Vec::with_capacity(task.count as usize);
         let mut sent = SentRays {
-            sums: RaySums { weights: [0.0; 2], missed: nothing(), exact: nothing(), hits },
+            sums: RaySums { sums: ElementSums::nothing(element.basis.len()), hits },
             hits: Vec::with_capacity(if self.kept.is_some() { task.count as usize } else { 0 }),
             recalled: 0,
         };
@@ -450,18 +437,11 @@ impl<'a> SampledTransport<'a> {
             let departure = sender.departure(index);
             let half = (index % 2) as usize;
             let encounter = self.first_hit(task.element, index, &departure, &mut sent);
-            let sums = &mut sent.sums;
-            sums.weights[half] += departure.weight;
-            let own = match hit(self.elements, task.element, index, &departure, encounter) {
-                Some(hit) if !self.counts(hit.source, hit.target) => &mut sums.exact[half],
-                Some(hit) => {
-                    sums.hits.push(hit);
-                    continue;
-                }
-                None => &mut sums.missed[half],
-            };
-            let values = functions(element, element.basis.frame().coordinates(&departure.node));
-            own.iter_mut().zip(values).for_each(|(sum, value)| *sum += departure.weight * value);
+            let hit = hit(self.elements, task.element, index, &departure, encounter);
+            let is_exact = hit.is_some_and(|hit| !self.counts(hit.pair()));
+            let ray = CountedRay { element, departure: &departure, half, sign: 1.0 };
+            let RaySums { sums, hits } = &mut sent.sums;
+            hits.extend(sums.count(ray, hit, is_exact));
         }
         sent
     }
@@ -485,9 +465,8 @@ impl<'a> SampledTransport<'a> {
         encounter
     }
 
-    /// Whether rays count on the pair of two elements.
-    fn counts(&self, first: u32, second: u32) -> bool {
-        let pair = (first.min(second), first.max(second));
+    /// Whether rays count on a pair, the element that comes first in front.
+    fn counts(&self, pair: (u32, u32)) -> bool {
         self.only.as_ref().map_or_else(|| !self.exact_pairs.holds(pair), |only| only.contains(&pair))
     }
 

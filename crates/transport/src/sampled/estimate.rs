@@ -28,6 +28,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::sampled::closure;
 use crate::sampled::closure::Exchange;
+use crate::sampled::element_sums::ElementSums;
 use crate::sampled::rays::Rays;
 use crate::sampled::tally::{Sums, Tally};
 
@@ -48,6 +49,16 @@ impl Counts {
     pub(super) fn new(elements: usize, coefficients: usize) -> Self {
         let nothing = || [vec![0.0; coefficients], vec![0.0; coefficients]];
         Self { weights: vec![[0.0; 2]; elements], missed: nothing(), exact: nothing() }
+    }
+
+    /// Adds sums over rays of an element, whose first coefficient this is.
+    pub(super) fn add(&mut self, element: usize, start: usize, own: &ElementSums) {
+        for half in 0..2 {
+            self.weights[element][half] += own.weights[half];
+            for (sums, more) in [(&mut self.missed, &own.missed), (&mut self.exact, &own.exact)] {
+                sums[half][start..].iter_mut().zip(&more[half]).for_each(|(sum, value)| *sum += value);
+            }
+        }
     }
 }
 

@@ -2,6 +2,7 @@
 
 use radiosity_elements::{Element, Elements};
 use radiosity_geom::{DVec2, DVec3, Encounter};
+use radiosity_kernel::blocks::held_rows::HeldRows;
 use serde::{Deserialize, Serialize};
 
 use crate::sampled::sender::Departure;
@@ -27,6 +28,11 @@ impl Hit {
     /// Its two elements, the one that comes first in front.
     pub(super) fn pair(&self) -> (u32, u32) {
         (self.source.min(self.target), self.source.max(self.target))
+    }
+
+    /// Whether a rank counts it: one that holds one of its elements.
+    pub(super) fn is_counted_by(&self, rank: usize, held: &HeldRows) -> bool {
+        [self.source, self.target].iter().any(|end| held.rank(*end as usize) == rank)
     }
 
     /// This hit, taken back.

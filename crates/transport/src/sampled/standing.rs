@@ -32,11 +32,12 @@ use serde::{Deserialize, Serialize};
 
 use crate::kept_blocks::kept_rays::{ChangedSurfaces, RayCounts};
 use crate::kept_blocks::{KeptBlocks, KeptHit, LastChange, SceneChange};
+use crate::sampled::element_sums::{CountedRay, ElementSums};
 use crate::sampled::estimate::Counts;
 use crate::sampled::exact_pairs::ExactPairs;
 use crate::sampled::hit::{Hit, hit};
 use crate::sampled::sender::{Departure, Sender};
-use crate::sampled::tally::{Tally, functions};
+use crate::sampled::tally::Tally;
 
 /// Part of the size of a scene by which boxes are widened before rays in single precision.
 const ROUNDED: f64 = 1e-6;
@@ -102,12 +103,7 @@ struct Box32 {
 /// Changes of the sums over the rays of an element.
 #[derive(Debug, Serialize, Deserialize)]
 struct Redone {
-    /// Changes of the sums of weights, in either half.
-    weights: [f64; 2],
-    /// Changes of Σ w φ_k(x) over the rays that met no front, in either half.
-    missed: [Vec<f64>; 2],
-    /// Changes of those over rays that landed on exact pairs, in either half.
-    exact: [Vec<f64>; 2],
+    sums: ElementSums,
     /// Hits that are taken back.
     removed: Vec<Hit>,
     added: Vec<Hit>,
@@ -186,14 +182,7 @@ impl State {
         let starts = self.elements.starts();
         let (mut removed, mut added, mut counts) = (Vec::new(), Vec::new(), RayCounts::default());
         for (element, mut own) in redone.into_iter().enumerate() {
-            let range = starts[element]..starts[element + 1];
-            for half in 0..2 {
-                self.counts.weights[element][half] += own.weights[half];
-                let Counts { missed, exact, .. } = &mut self.counts;
-                for (sums, change) in [(missed, &own.missed), (exact, &own.exact)] {
-                    sums[half][range.clone()].iter_mut().zip(&change[half]).for_each(|(sum, x)| *sum += x);
-                }
-            }
+            self.counts.add(element, starts[element], &own.sums);
             removed.append(&mut own.removed);
             added.append(&mut own.added);
             if element % ranks.count() == ranks.number() {
@@ -203,8 +192,7 @@ impl State {
             }
         }
         let held = HeldRows::of(ranks, &starts);
-        let counts_here =
-            |hit: &Hit| [hit.source, hit.target].iter().any(|end| held.rank(*end as usize) == ranks.number());
+        let counts_here = |hit: &Hit| hit.is_counted_by(ranks.number(), &held);
         if !held.ranks().are_alone() {
             removed.retain(counts_here);
             added.retain(counts_here);
@@ -383,54 +371,25 @@ impl<'a> Scenes<'a> {
         let half = (index % 2) as usize;
         let gone = hit(elements, element, index, &old, met);
         let is_exact = gone.is_some_and(|hit| self.before.exact.contains(&hit.pair()));
-        redone.count(&elements.list()[element], &old, half, Met { hit: gone, is_exact, sign: -1.0 });
+        let ray = CountedRay { element: &elements.list()[element], departure: &old, half, sign: -1.0 };
+        redone.removed.extend(redone.sums.count(ray, gone, is_exact).map(Hit::taken_back));
         let come = hit(self.elements, element, index, &now, encounter);
         let is_exact = come.is_some_and(|hit| self.exact.holds(hit.pair()));
-        redone.count(&self.elements.list()[element], &now, half, Met { hit: come, is_exact, sign: 1.0 });
+        let ray = CountedRay { element: &self.elements.list()[element], departure: &now, half, sign: 1.0 };
+        redone.added.extend(redone.sums.count(ray, come, is_exact));
     }
 }
 
-/// The front that a ray meets, to be taken back or added.
-struct Met {
-    hit: Option<Hit>,
-    /// Whether it is on a pair that is carried exactly.
-    is_exact: bool,
-    /// 1, or −1 where it is taken back.
-    sign: f64,
-}
-
 impl Redone {
+    /// No changes, of an element of so many functions.
     fn nothing(functions: usize) -> Self {
-        let sums = || [vec![0.0; functions], vec![0.0; functions]];
         Self {
-            weights: [0.0; 2],
-            missed: sums(),
-            exact: sums(),
+            sums: ElementSums::nothing(functions),
             removed: Vec::new(),
             added: Vec::new(),
             rays: Vec::new(),
             traced: 0,
         }
-    }
-
-    /// Counts a ray of an element, of this half of its rays.
-    fn count(
-        &mut self,
-        element: &Element,
-        departure: &Departure,
-        half: usize,
-        Met { hit, is_exact, sign }: Met,
-    ) {
-        let weight = sign * departure.weight;
-        self.weights[half] += weight;
-        let own = match hit {
-            Some(_) if is_exact => &mut self.exact[half],
-            Some(hit) if sign < 0.0 => return self.removed.push(hit.taken_back()),
-            Some(hit) => return self.added.push(hit),
-            None => &mut self.missed[half],
-        };
-        let values = functions(element, element.basis.frame().coordinates(&departure.node));
-        own.iter_mut().zip(values).for_each(|(sum, value)| *sum += weight * value);
     }
 }
 

@@ -164,7 +164,7 @@ impl SortedHit {
 
 /// The pair of a hit: the element that comes first in the upper half.
 fn key(hit: &Hit) -> u64 {
-    let (row, column) = (hit.source.min(hit.target), hit.source.max(hit.target));
+    let (row, column) = hit.pair();
     u64::from(row) << 32 | u64::from(column)
 }
 
