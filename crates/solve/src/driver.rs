@@ -45,6 +45,7 @@ mod choose_transport;
 mod memory_need;
 mod decisions;
 mod emission;
+mod unknowns;
 mod solve_band;
 mod sampling;
 mod light_shares;
@@ -74,7 +75,6 @@ pub use light_method::LightMethod;
 pub use linking::Linking;
 pub use memory_reduction::MemoryReduction;
 pub use model::Model;
-pub(crate) use model::Unknowns;
 pub use options::Options;
 pub(crate) use outcome::{FrameLight, timed};
 pub use outcome::{Functional, Outcome, Stages};
@@ -83,6 +83,7 @@ pub use relaxing::{RelaxedAtOnce, Relaxing, SweepOrder};
 pub use sampling::Sampling;
 pub use shots::{Shot, ShotLimit, Shots};
 pub use transport_choice::{MOST_RAYS, Transport, TransportChoice};
+pub(crate) use unknowns::Unknowns;
 
 /// Solves `scene`.
 ///

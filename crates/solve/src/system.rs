@@ -43,7 +43,7 @@
 //! √ρ z); the irradiance is a known part, 0 (or l, or d), plus that of the first transport, G e (or G (e + ρ
 //! l), or g), plus G times the unknown radiosity.
 
-mod vector;
+pub(crate) mod vector;
 mod series;
 mod reduction;
 mod projected;

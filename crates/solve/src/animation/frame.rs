@@ -33,6 +33,7 @@ impl Frame {
         let rays = light.noise();
         Self { scene, visibility, solution: light.solution, interpolated: None, rays }
     }
+
     /// Irradiance per band at a point in the open, for the unit normal `normal`, as
     /// [`Solved::irradiance_at`](crate::solved::Solved::irradiance_at) has it of a still scene.
     pub fn irradiance_at(&self, position: DVec3, normal: DVec3) -> Vec<f64> {

@@ -25,10 +25,10 @@ struct TimedUnknowns {
 impl LightBefore {
     /// Unknowns for a frame to start from, at a moment if it has one; empty where there is no frame before.
     pub(super) fn start(&self, moment: Option<f64>) -> Unknowns {
-        let Some(last) = &self.last else { return Unknowns::new() };
+        let Some(last) = &self.last else { return Unknowns::default() };
         let earlier = self.earlier.as_ref().filter(|earlier| continues(earlier, last, moment));
-        earlier
-            .map_or_else(|| last.unknowns.clone(), |earlier| extrapolated(&earlier.unknowns, &last.unknowns))
+        let next = earlier.and_then(|earlier| last.unknowns.extrapolated(&earlier.unknowns));
+        next.unwrap_or_else(|| last.unknowns.clone())
     }
 
     /// Takes the unknowns of the frame at a moment, if it has one.
@@ -42,21 +42,7 @@ fn continues(earlier: &TimedUnknowns, last: &TimedUnknowns, moment: Option<f64>)
     let steps = |a: Option<f64>, b: Option<f64>| Some(b? - a?);
     let (before, next) = (steps(earlier.moment, last.moment), steps(last.moment, moment));
     let are_equal = |(before, next): (f64, f64)| (before - next).abs() <= EQUAL * before.abs();
-    before.zip(next).is_some_and(are_equal) && has_sizes_of(&earlier.unknowns, &last.unknowns)
-}
-
-fn has_sizes_of(unknowns: &Unknowns, other: &Unknowns) -> bool {
-    let sizes = |own: &Unknowns| -> Vec<Vec<usize>> {
-        own.iter().map(|band| band.iter().map(Vec::len).collect()).collect()
-    };
-    sizes(unknowns) == sizes(other)
-}
-
-/// 2 y − x.
-fn extrapolated(x: &Unknowns, y: &Unknowns) -> Unknowns {
-    let of = |(x, y): (&Vec<f64>, &Vec<f64>)| x.iter().zip(y).map(|(x, y)| 2.0 * y - x).collect();
-    let bands = x.iter().zip(y);
-    bands.map(|(x, y)| x.iter().zip(y).map(of).collect()).collect()
+    before.zip(next).is_some_and(are_equal)
 }
 
 #[cfg(test)]
@@ -64,13 +50,13 @@ mod tests {
     use super::*;
 
     fn unknowns(value: f64) -> Unknowns {
-        vec![vec![vec![value, 1.0]]]
+        Unknowns::of(vec![vec![vec![value, 1.0]]])
     }
 
     #[test]
     fn what_moves_evenly_is_met_and_jumps_start_from_the_last_frame() {
         let mut light = LightBefore::default();
-        assert!(light.start(Some(0.0)).is_empty());
+        assert_eq!(light.start(Some(0.0)), Unknowns::default());
         light.take(Some(0.0), unknowns(1.0));
         assert_eq!(light.start(Some(0.5)), unknowns(1.0));
         light.take(Some(0.5), unknowns(1.25));

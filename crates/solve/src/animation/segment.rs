@@ -2,10 +2,10 @@
 
 use std::sync::Arc;
 
-use radiosity_core::dot;
 use radiosity_elements::{Element, Elements};
 
 use crate::solution::group_light::GroupLight;
+use crate::system::vector::relative_distance;
 
 use super::chebyshev;
 
@@ -154,15 +154,6 @@ fn interpolated(nodes: &[Arc<Node>], frame: usize) -> Vec<GroupLight> {
 /// The largest relative difference of any group in any band.
 fn apart(light: &[GroupLight], right: &[GroupLight]) -> f64 {
     let bands = light.iter().zip(right).flat_map(|(own, other)| own.bands.iter().zip(&other.bands));
-    let relative = bands.map(|(own, other)| {
-        let pairs = own.irradiance.iter().zip(&other.irradiance);
-        let difference = pairs.map(|(a, b)| (a - b).powi(2)).sum::<f64>();
-        let size = dot(&other.irradiance, &other.irradiance);
-        match size {
-            size if size > 0.0 => (difference / size).sqrt(),
-            _ if difference > 0.0 => f64::INFINITY,
-            _ => 0.0,
-        }
-    });
+    let relative = bands.map(|(own, other)| relative_distance(&own.irradiance, &other.irradiance));
     relative.fold(0.0, f64::max)
 }

@@ -23,7 +23,7 @@ use radiosity_scene::{FrameScenes, MoverState, Scene};
 use radiosity_transport::{KeptBlocks, RayCounts};
 use radiosity_work::Work;
 
-use crate::driver::{Failure, FrameLight, KeptModel, Layout, Model, Options, Standing};
+use crate::driver::{Failure, FrameLight, KeptModel, Layout, Model, Options, Standing, Unknowns};
 
 use super::error::AnimationError;
 use super::frame::Frame;
@@ -31,6 +31,7 @@ use super::light_before::LightBefore;
 use super::sequence_report::SequenceReport;
 use crate::solution::{Band, Solution};
 use crate::system::Coefficients;
+use crate::system::vector::relative_distance;
 
 /// Relative residual to which the difference of light is solved for, over the accuracy of the blocks.
 /// Chosen: the residuals of a hundred frames do not add up, since each is that of the whole system.
@@ -209,10 +210,10 @@ impl<'a> Sequence<'a> {
         let Kept { model: before, light: light_before, .. } = &mut kept;
         let model = Model::assemble_again(&still, &self.options, &self.layout, before.as_mut(), work);
         let model = model.map_err(failed)?;
-        let mut unknowns = light_before.as_ref().map(|light| light.start(moment));
-        let light = model.frame_light(unknowns.as_mut(), work).map_err(failed)?;
-        if let Some((before, unknowns)) = light_before.as_mut().zip(unknowns) {
-            before.take(moment, unknowns);
+        let start = light_before.as_ref().map(|light| light.start(moment)).unwrap_or_default();
+        let mut light = model.frame_light(&start, work).map_err(failed)?;
+        if let Some(before) = light_before {
+            before.take(moment, mem::take(&mut light.unknowns));
         }
         self.kept = kept;
         let counts = self.kept.expansions.as_ref().map(|expansions| expansions.counts(work.ranks));
@@ -237,7 +238,7 @@ impl<'a> Sequence<'a> {
         if !(self.report.moments + 1).is_multiple_of(MEASURED_EACH) {
             return Ok(0.0);
         }
-        Ok(difference(&light.solution, &model.frame_light(None, work)?.solution))
+        Ok(difference(&light.solution, &model.frame_light(&Unknowns::default(), work)?.solution))
     }
 
     /// Cost and error of all moments so far.
@@ -295,15 +296,13 @@ impl<'a> Sequence<'a> {
 /// δb = (I − S G)⁻¹ r ,     ‖δh‖ ≤ ‖r‖/(1 − max (ρ + τ))
 /// ```
 fn unsolved(solution: &Solution) -> f64 {
-    let (list, starts) = (solution.elements().list(), solution.elements().starts());
+    let starts = solution.elements().starts();
     let ones = solution.elements().constant();
     let of_band = |band: &Band| {
-        let Coefficients { irradiance, direct, residual, .. } = &band.coefficients;
+        let Coefficients { direct, residual, .. } = &band.coefficients;
         let emitted = norm(&band.coating.emitted(&starts, &ones));
         let scale = emitted + norm(&band.coating.reflected(&starts, direct));
-        let (rest, light) = (residual * scale, norm(irradiance));
-        let most = (0..list.len()).map(|element| band.coating.most(element)).fold(0.0, f64::max);
-        if rest == 0.0 { 0.0 } else { rest / ((1.0 - most) * light) }
+        carried(residual * scale, band)
     };
     solution.bands().iter().map(of_band).fold(0.0, f64::max)
 }
@@ -312,10 +311,7 @@ fn unsolved(solution: &Solution) -> f64 {
 fn difference(solution: &Solution, other: &Solution) -> f64 {
     let pairs = solution.bands().iter().zip(other.bands());
     let of_band = |(own, other): (&Band, &Band)| {
-        let [own, other] = [own, other].map(|band| &band.coefficients.irradiance);
-        let apart: Vec<f64> = own.iter().zip(other).map(|(a, b)| a - b).collect();
-        let [apart, light] = [&apart, other].map(|list| norm(list));
-        if apart == 0.0 { 0.0 } else { apart / light }
+        relative_distance(&own.coefficients.irradiance, &other.coefficients.irradiance)
     };
     pairs.map(of_band).fold(0.0, f64::max)
 }
@@ -344,9 +340,14 @@ fn of_band(remainders: &[Remainder], list: &[Element], band: &Band) -> f64 {
         rest[*i] += bound * sizes[*j];
         rest[*j] += bound * sizes[*i];
     }
-    let most = (0..list.len()).map(|element| band.coating.most(element)).fold(0.0, f64::max);
-    let [rest, light] = [&rest, &band.coefficients.irradiance].map(|x| norm(x));
-    if rest == 0.0 { 0.0 } else { rest / ((1.0 - most) * light) }
+    carried(norm(&rest), band)
+}
+
+/// ‖r‖/((1 − max (ρ + τ)) ‖h‖) for the size of r.
+fn carried(rest: f64, band: &Band) -> f64 {
+    let Band { coating, coefficients, .. } = band;
+    let most = (0..coating.reflectance.len()).map(|element| coating.most(element)).fold(0.0, f64::max);
+    if rest == 0.0 { 0.0 } else { rest / ((1.0 - most) * norm(&coefficients.irradiance)) }
 }
 
 /// ‖b_j‖ of each element.

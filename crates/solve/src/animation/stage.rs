@@ -39,7 +39,6 @@ use super::sequence_report::SequenceReport;
 #[derive(Debug)]
 pub struct Stage {
     sequence: Sequence<'static>,
-    animation: Animation,
     states: Vec<MoverState>,
 }
 
@@ -50,14 +49,8 @@ impl Stage {
     /// # Errors
     /// A scene without motions.
     pub fn new(scene: Scene, options: &Options) -> Result<Self, AnimationError> {
-        let nothing_moves = || {
-            let cure = "add frames = 1 and a [[motion]] for each thing that is placed";
-            SceneError::of(&scene.origin, Fault::absent("nothing moves in the scene", cure))
-        };
-        let animation = scene.animation.clone().ok_or_else(nothing_moves)?;
-        let states = vec![MoverState::REST; animation.movers.len()];
-        let sequence = Sequence::incremental_owned(scene, options);
-        Ok(Self { sequence, animation, states })
+        let states = vec![MoverState::REST; animation(&scene)?.movers.len()];
+        Ok(Self { sequence: Sequence::incremental_owned(scene, options), states })
     }
 
     /// The scene with its motions.
@@ -99,8 +92,17 @@ impl Stage {
     }
 
     fn state(&mut self, mover: &str) -> Result<&mut MoverState, AnimationError> {
-        let place =
-            self.animation.mover(mover).map_err(|fault| SceneError::of(&self.scene().origin, fault))?;
+        let scene = self.sequence.scene();
+        let place = animation(scene)?.mover(mover).map_err(|fault| SceneError::of(&scene.origin, fault))?;
         Ok(&mut self.states[place])
     }
+}
+
+/// The animation of a scene, if anything moves in it.
+fn animation(scene: &Scene) -> Result<&Animation, SceneError> {
+    let nothing_moves = || {
+        let cure = "add frames = 1 and a [[motion]] for each thing that is placed";
+        SceneError::of(&scene.origin, Fault::absent("nothing moves in the scene", cure))
+    };
+    scene.animation.as_ref().ok_or_else(nothing_moves)
 }

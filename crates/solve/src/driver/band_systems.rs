@@ -18,6 +18,7 @@ use super::outcome::Functional;
 use super::shooting::ShotLight;
 use super::shots::Shots;
 use super::solve_band::{SolveCost, solve_band};
+use super::unknowns::Unknowns;
 
 /// The data from which the light of all bands follows.
 #[derive(Clone, Copy, Debug)]
@@ -37,8 +38,8 @@ pub(super) struct SolvedLight {
     /// Coefficients of the light with one reflection less, where the number of reflections is limited to more
     /// than none.
     pub before: Option<Vec<Vec<Coefficients>>>,
-    /// Unknowns of the systems, band by band, of each emission; empty where none were solved.
-    pub unknowns: Vec<Vec<Vec<f64>>>,
+    /// Unknowns of the systems; none where none were solved.
+    pub unknowns: Unknowns,
     pub costs: Vec<SolveCost>,
     pub functionals: Vec<Functional>,
     /// Shots, where light was shot.
@@ -48,7 +49,7 @@ pub(super) struct SolvedLight {
 impl SolvedLight {
     /// The light that was shot, with its coefficients.
     pub(super) fn shot(light: Vec<Vec<Coefficients>>, shot: ShotLight) -> Self {
-        let unknowns = shot.by_band();
+        let unknowns = shot.unknowns();
         let ShotLight { costs, shots, .. } = shot;
         Self { light, before: None, unknowns, costs, functionals: Vec::new(), shots: Some(shots) }
     }
@@ -63,7 +64,7 @@ impl BandSystems<'_> {
         &self,
         emissions: &[Emission],
         first: &[EnteringLight],
-        before: &[Vec<Vec<f64>>],
+        before: &Unknowns,
         work: &Work<'_>,
     ) -> Result<SolvedLight, Failure> {
         let mut light: Vec<Vec<Coefficients>> = emissions.iter().map(|_| Vec::new()).collect();
@@ -74,8 +75,7 @@ impl BandSystems<'_> {
                 let Step { iteration, residual, .. } = *step;
                 work.report(Progress::Iteration { band, of: self.names.len(), iteration, residual });
             };
-            let before = before.get(band).map(Vec::as_slice);
-            let solved = solve_band(&systems, self.options, before, work, &mut observe)
+            let solved = solve_band(&systems, self.options, before.band(band), work, &mut observe)
                 .map_err(|source| Failure::Solver { band: name.clone(), source })?;
             for ((light, emission), found) in light.iter_mut().zip(emissions).zip(solved.found) {
                 let RitzSolution { coefficients, functional } = found;
@@ -89,6 +89,7 @@ impl BandSystems<'_> {
             costs.extend(solved.cost);
             unknowns.push(solved.unknowns);
         }
+        let unknowns = Unknowns::of(unknowns);
         Ok(SolvedLight { light, before: None, unknowns, costs, functionals, shots: None })
     }
 
@@ -110,7 +111,14 @@ impl BandSystems<'_> {
         }
         let solver = Method::RICHARDSON.name;
         let costs = vec![SolveCost { solver, iterations: bounces, converged: true }];
-        SolvedLight { light, before, unknowns: Vec::new(), costs, functionals: Vec::new(), shots: None }
+        SolvedLight {
+            light,
+            before,
+            unknowns: Unknowns::default(),
+            costs,
+            functionals: Vec::new(),
+            shots: None,
+        }
     }
 
     /// The systems of a band, one for each emission.

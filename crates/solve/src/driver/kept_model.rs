@@ -50,10 +50,13 @@ impl KeptModel {
     pub(super) fn unchanged(
         &mut self,
         senders: &[bool],
-        shares: &LightShares,
+        shares: &dyn Fn() -> LightShares,
     ) -> Option<(Blocks, Option<Sampling>)> {
         let WholeBlocks { blocks, sampling, senders: before } = self.whole.take()?;
-        let fits = |standing: &Standing| standing.fit(shares) && standing.holds(shares);
+        let fits = |standing: &Standing| {
+            let shares = shares();
+            standing.fit(&shares) && standing.holds(&shares)
+        };
         let is_alike = before == senders && (sampling.is_none() || self.standing.as_ref().is_some_and(fits));
         let rays = sampling.map_or(0, |sampling| sampling.rays);
         (is_alike && self.blocks.is_unchanged(rays)).then_some((blocks, sampling))

@@ -6,7 +6,6 @@
 //! choices depend on the materials of the scene from which a model was assembled: which pairs are left
 //! out because neither side ever sends light, and where rays were sent from.
 
-use std::mem;
 use std::sync::Arc;
 use std::time::Duration;
 
@@ -28,6 +27,7 @@ use crate::solution::Solution;
 use crate::solution::group_light::GroupLight;
 use crate::system::Coefficients;
 use crate::system::shooting::ambient;
+use crate::system::vector::distance;
 
 use super::assembly::carried;
 use super::band_systems::{BandSystems, SolvedLight};
@@ -44,6 +44,7 @@ use super::shooting::ColumnSource;
 use super::shots::ShotLimit;
 use super::subject::Subject;
 use super::transport_choice::TransportChoice;
+use super::unknowns::Unknowns;
 
 /// Most solutions for light that emitters reflect through masks. Each changes the radiosity by less than the
 /// one before where masks take little of what is reflected, and by more where they take much and reflectances
@@ -77,9 +78,6 @@ pub struct Model {
     blocks: Blocks,
     sampling: Option<Sampling>,
 }
-
-/// The unknowns of the systems of a scene, band by band, of each emission.
-pub(crate) type Unknowns = Vec<Vec<Vec<f64>>>;
 
 /// The emissions of a scene with their first light.
 struct Entered {
@@ -160,7 +158,8 @@ impl Model {
             kept.blocks.move_to(scene, elements, visibility);
         }
         let mut took = Duration::ZERO;
-        let known = kept.as_deref_mut().and_then(|kept| kept.unchanged(&senders(scene), &subject.shares()));
+        let known =
+            kept.as_deref_mut().and_then(|kept| kept.unchanged(&senders(scene), &|| subject.shares()));
         let found = || known.unwrap_or_else(|| carried(scene, &subject, *rays, kept));
         let (blocks, sampling) = timed(&mut took, found);
         work.report(Progress::Finished { stage: Stage::Blocks, took });
@@ -192,7 +191,7 @@ impl Model {
         let columns = ColumnsAsShot::new(ready.demand(&wanted));
         let source = ColumnSource { columns: &columns, before: columns.seconds(), all_first: None };
         let shooter = ready.shooter(&ready.scene, &emissions, &first);
-        let shot = timed(&mut took, || shooter.shot(source, &[], work))?;
+        let shot = timed(&mut took, || shooter.shot(source, &Unknowns::default(), work))?;
         let integrated = columns.seconds();
         let before = source.before;
         let blocks = columns.into_blocks();
@@ -281,7 +280,8 @@ impl Model {
         let mut again = Duration::ZERO;
         let first = timed(&mut again, || self.ready.first_light(scene, &emissions, work.ranks));
         seconds.direct += again;
-        let light = timed(&mut seconds.solve, || self.light(scene, &emissions, &first, &[], work))?;
+        let light =
+            timed(&mut seconds.solve, || self.light(scene, &emissions, &first, &Unknowns::default(), work))?;
         let entered = Entered { emissions, first };
         let (entered, light) = timed(&mut again, || self.through_masks(scene, entered, light, work))?;
         seconds.direct += again;
@@ -289,40 +289,32 @@ impl Model {
         Ok(self.outcome(scene, entered, light, seconds, work.ranks))
     }
 
-    /// The light of a frame, the scene from which the model was assembled, found from the `unknowns` of the
-    /// frame before and leaving its own there; from none if there are none.
+    /// The light of a frame, the scene from which the model was assembled, found from the unknowns `before` of
+    /// another frame, if there are any.
     ///
     /// # Errors
     /// As [`Model::solve`].
-    pub(crate) fn frame_light(
-        &self,
-        unknowns: Option<&mut Unknowns>,
-        work: &Work<'_>,
-    ) -> Result<FrameLight, Failure> {
-        let options = &self.ready.options;
-        options.in_threads(work.ranks, || self.found_from(unknowns, work))?
+    pub(crate) fn frame_light(&self, before: &Unknowns, work: &Work<'_>) -> Result<FrameLight, Failure> {
+        self.ready.options.in_threads(work.ranks, || self.found_from(before, work))?
     }
 
-    fn found_from(&self, unknowns: Option<&mut Unknowns>, work: &Work<'_>) -> Result<FrameLight, Failure> {
+    fn found_from(&self, before: &Unknowns, work: &Work<'_>) -> Result<FrameLight, Failure> {
         let scene = &self.ready.scene;
         let emissions = Emission::all(scene, self.ready.elements.list());
         let first = self.ready.first_light(scene, &emissions, work.ranks);
-        let before = unknowns.as_deref().map_or(&[][..], |own| own);
         let mut seconds = self.ready.seconds;
         let light = timed(&mut seconds.solve, || self.light(scene, &emissions, &first, before, work))?;
-        let (entered, mut light) = self.through_masks(scene, Entered { emissions, first }, light, work)?;
-        if let Some(unknowns) = unknowns {
-            *unknowns = mem::take(&mut light.unknowns);
-        }
-        let converged = light.costs.iter().all(|cost| cost.converged);
-        let solution = self.solution_of(scene, entered, light.light, light.before);
+        let (entered, light) = self.through_masks(scene, Entered { emissions, first }, light, work)?;
+        let SolvedLight { light, before, unknowns, costs, .. } = light;
+        let solution = self.solution_of(scene, entered, light, before);
         Ok(FrameLight {
             residual: solution.residual(),
             solution,
-            converged,
+            converged: costs.iter().all(|cost| cost.converged),
             worst_error: self.blocks.statistics.worst_error,
             sampling: self.sampling,
             seconds,
+            unknowns,
         })
     }
 
@@ -333,7 +325,7 @@ impl Model {
         scene: &Scene,
         emissions: &[Emission],
         first: &[EnteringLight],
-        before: &[Vec<Vec<f64>>],
+        before: &Unknowns,
         work: &Work<'_>,
     ) -> Result<SolvedLight, Failure> {
         let (bands, options) = (self.bands(scene), &self.ready.options);
@@ -369,7 +361,7 @@ impl Model {
                 first.again(&lit_scene, emission, own)
             };
             let first: Vec<EnteringLight> = lit.map(again).collect();
-            let next = self.light(scene, &entered.emissions, &first, &[], work)?;
+            let next = self.light(scene, &entered.emissions, &first, &Unknowns::default(), work)?;
             let change = change(&light.light, &next.light);
             entered.first = first;
             light = next;
@@ -386,7 +378,7 @@ impl Model {
         scene: &Scene,
         emissions: &[Emission],
         first: &[EnteringLight],
-        before: &[Vec<Vec<f64>>],
+        before: &Unknowns,
         work: &Work<'_>,
     ) -> Result<SolvedLight, Failure> {
         let all = self.blocks.gathered();
@@ -510,8 +502,7 @@ fn change(before: &[Vec<Coefficients>], after: &[Vec<Coefficients>]) -> f64 {
     let pairs = before.iter().flatten().zip(after.iter().flatten());
     let changes = pairs.map(|(before, after)| {
         let size = norm(&after.radiosity);
-        let moved: Vec<f64> = after.radiosity.iter().zip(&before.radiosity).map(|(b, a)| b - a).collect();
-        if size > 0.0 { norm(&moved) / size } else { 0.0 }
+        if size > 0.0 { distance(&after.radiosity, &before.radiosity) / size } else { 0.0 }
     });
     changes.fold(0.0, f64::max)
 }

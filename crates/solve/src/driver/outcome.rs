@@ -14,6 +14,7 @@ use crate::solution::Solution;
 use super::sampling::Sampling;
 use super::shots::Shots;
 use super::transport_choice::TransportChoice;
+use super::unknowns::Unknowns;
 
 /// The solution with its cost and self-checks.
 #[derive(Debug)]
@@ -78,6 +79,8 @@ pub(crate) struct FrameLight {
     pub sampling: Option<Sampling>,
     /// As [`Outcome::seconds`].
     pub seconds: Stages,
+    /// Unknowns from which the next frame may start.
+    pub unknowns: Unknowns,
 }
 
 impl FrameLight {

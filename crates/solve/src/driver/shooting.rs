@@ -19,6 +19,7 @@ use super::first_light::EnteringLight;
 use super::options::Options;
 use super::shots::{Shot, Shots};
 use super::solve_band::{LEAST, SolveCost};
+use super::unknowns::Unknowns;
 
 /// The data from which light is shot.
 #[derive(Clone, Copy)]
@@ -39,10 +40,10 @@ pub(super) struct ShotLight {
 }
 
 impl ShotLight {
-    /// The radiosity band by band, of each emission.
-    pub(super) fn by_band(&self) -> Vec<Vec<Vec<f64>>> {
-        let bands = self.radiosity.first().map_or(0, Vec::len);
-        (0..bands).map(|band| self.radiosity.iter().map(|own| own[band].clone()).collect()).collect()
+    /// The radiosity, of which the next shots may start.
+    pub(super) fn unknowns(&self) -> Unknowns {
+        let bands = 0..self.radiosity.first().map_or(0, Vec::len);
+        Unknowns::of(bands.map(|band| self.radiosity.iter().map(|own| own[band].clone()).collect()).collect())
     }
 }
 
@@ -63,15 +64,15 @@ pub(super) struct ColumnSource<'a> {
 }
 
 impl Shooter<'_> {
-    /// Shoots the light of each emission in all bands, from the radiosity `before`, band by band, where that
-    /// of a similar scene is given.
+    /// Shoots the light of each emission in all bands, from the radiosity `before`, where that of a similar
+    /// scene is given.
     ///
     /// # Errors
     /// A solver that does not converge.
     pub(super) fn shot(
         &self,
         source: ColumnSource<'_>,
-        before: &[Vec<Vec<f64>>],
+        before: &Unknowns,
         work: &Work<'_>,
     ) -> Result<ShotLight, Failure> {
         let begun = Instant::now();
@@ -79,7 +80,7 @@ impl Shooter<'_> {
         let (mut costs, mut history, mut unshot) = (Vec::new(), Vec::new(), 0.0f64);
         for (band, name) in self.names.iter().enumerate() {
             for (emission, own) in radiosity.iter_mut().enumerate() {
-                let known = before.get(band).and_then(|known| known.get(emission));
+                let known = before.band(band).and_then(|known| known.get(emission));
                 let failed = |source| Failure::Solver { band: name.clone(), source };
                 let course = self.course(band, emission, source, known, begun, work).map_err(failed)?;
                 own.push(course.radiosity);

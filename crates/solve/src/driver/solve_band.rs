@@ -10,6 +10,7 @@ use radiosity_work::interruption::{self, Interruption, check_interrupt};
 use crate::system::ritz::{Ritz, RitzSolution};
 
 use super::options::Options;
+use super::unknowns::has_sizes_of;
 
 /// Least time of a linear system, after a deadline too, so that a small scene has a result. Chosen: a person
 /// waits as long without noticing.
@@ -118,9 +119,4 @@ pub(super) fn solve_band(
     let unknowns: Vec<Vec<f64>> = rights.iter().map(own).collect();
     let found = systems.iter().zip(&unknowns).map(|(system, own)| system.found(own)).collect();
     Ok(SolvedBand { found, unknowns, cost })
-}
-
-/// Whether there are as many unknowns as right-hand sides, of the same sizes.
-fn has_sizes_of(unknowns: &[Vec<f64>], rights: &[Vec<f64>]) -> bool {
-    unknowns.len() == rights.len() && unknowns.iter().zip(rights).all(|(own, right)| own.len() == right.len())
 }
