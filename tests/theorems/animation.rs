@@ -8,44 +8,13 @@ use radiosity::solve::animation::sequence::Sequence;
 use radiosity::solve::{Direct, Options, Transport};
 use radiosity::solvers::method::Method;
 use radiosity_test_support::compare::apart;
-use radiosity_test_support::scenes::typed;
+use radiosity_test_support::scenes::{lamps_room, typed};
 
 /// A room with a block, a lamp of two groups under the ceiling, and a panel of two sides between them;
 /// `motion` moves them.
 fn room(frames: usize, motion: &str) -> Scene {
-    let text = format!(
-        r#"
-frames = {frames}
-bands = ["a", "b"]
-materials.wall = {{ reflectance = [0.7, 0.4] }}
-materials.lamp = {{ reflectance = 0, emission = [10, 5], group = "lamp" }}
-materials.glow = {{ reflectance = 0.2, emission = [1, 2], group = "glow" }}
-[[surfaces]]
-name = "room"
-material = "wall"
-box = {{ origin = [0, 0, 0], size = [1, 1, 1], inward = true }}
-[[surfaces]]
-name = "block"
-material = "wall"
-box = {{ origin = [0.5, 0.5, 0], size = [0.25, 0.3, 0.5] }}
-[[surfaces]]
-name = "lamp"
-material = "lamp"
-parallelogram = {{ origin = [0.2, 0.4, 0.9], edge1 = [0, 0.2, 0], edge2 = [0.2, 0, 0] }}
-[[surfaces]]
-name = "glow"
-material = "glow"
-parallelogram = {{ origin = [0.05, 0.05, 0.2], edge1 = [0.2, 0, 0], edge2 = [0, 0.2, 0] }}
-[[surfaces]]
-name = "panel"
-material = "wall"
-two_sided = true
-parallelogram = {{ origin = [0.1, 0.5, 0.6], edge1 = [0.3, 0, 0], edge2 = [0, 0.3, 0] }}
-[[motion]]
-{motion}
-"#
-    );
-    typed(&text)
+    let text = lamps_room([[10.0, 5.0], [1.0, 2.0]], "", "");
+    typed(&format!("frames = {frames}\n{text}[[motion]]\n{motion}\n"))
 }
 
 /// A closed cube with `things` in it, of walls or a lamp of this reflectance.

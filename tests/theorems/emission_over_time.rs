@@ -18,47 +18,21 @@ use radiosity::solve::animation::frame::Frame;
 use radiosity::solve::animation::sequence::Sequence;
 use radiosity::solve::{Direct, Options, Transport};
 use radiosity_test_support::compare::{apart, assert_close};
-use radiosity_test_support::scenes::{material, parsed, typed};
+use radiosity_test_support::scenes::{lamps_room, material, parsed, typed};
 use radiosity_test_support::shapes::{ball, plate};
 use radiosity_test_support::solved::{outcome_of, solved_of};
 
 /// A room with a block and a panel, a lamp and a glow in groups of their own, and a spot without one, each of
 /// this emission in two bands.
 fn text(lamp: [f64; 2], glow: [f64; 2], spot: [f64; 2]) -> String {
-    format!(
-        r#"
-bands = ["a", "b"]
-materials.wall = {{ reflectance = [0.7, 0.4] }}
-materials.lamp = {{ reflectance = 0, emission = {lamp:?}, group = "lamp" }}
-materials.glow = {{ reflectance = 0.2, emission = {glow:?}, group = "glow" }}
-materials.spot = {{ reflectance = 0, emission = {spot:?} }}
-[[surfaces]]
-name = "room"
-material = "wall"
-box = {{ origin = [0, 0, 0], size = [1, 1, 1], inward = true }}
-[[surfaces]]
-name = "block"
-material = "wall"
-box = {{ origin = [0.5, 0.5, 0], size = [0.25, 0.3, 0.5] }}
-[[surfaces]]
-name = "lamp"
-material = "lamp"
-parallelogram = {{ origin = [0.2, 0.4, 0.9], edge1 = [0, 0.2, 0], edge2 = [0.2, 0, 0] }}
-[[surfaces]]
-name = "glow"
-material = "glow"
-parallelogram = {{ origin = [0.05, 0.05, 0.2], edge1 = [0.2, 0, 0], edge2 = [0, 0.2, 0] }}
+    let material = format!("materials.spot = {{ reflectance = 0, emission = {spot:?} }}");
+    let surface = r#"
 [[surfaces]]
 name = "spot"
 material = "spot"
-parallelogram = {{ origin = [0.7, 0.1, 0.8], edge1 = [0, 0.1, 0], edge2 = [0.1, 0, 0] }}
-[[surfaces]]
-name = "panel"
-material = "wall"
-two_sided = true
-parallelogram = {{ origin = [0.1, 0.5, 0.6], edge1 = [0.3, 0, 0], edge2 = [0, 0.3, 0] }}
-"#
-    )
+parallelogram = { origin = [0.7, 0.1, 0.8], edge1 = [0, 0.1, 0], edge2 = [0.1, 0, 0] }
+"#;
+    lamps_room([lamp, glow], &material, surface)
 }
 
 const LAMP: [f64; 2] = [10.0, 5.0];

@@ -20,6 +20,42 @@ pub fn builtin_with(name: &str, settings: &[(&str, f64)]) -> Scene {
         .unwrap_or_else(|error| panic!("{error}"))
 }
 
+/// The text of a room of two bands with a block, a panel of two sides in it, and a lamp and a glow of this
+/// emission in groups of their own; with these further materials and surfaces.
+pub fn lamps_room([lamp, glow]: [[f64; 2]; 2], materials: &str, surfaces: &str) -> String {
+    format!(
+        r#"
+bands = ["a", "b"]
+materials.wall = {{ reflectance = [0.7, 0.4] }}
+materials.lamp = {{ reflectance = 0, emission = {lamp:?}, group = "lamp" }}
+materials.glow = {{ reflectance = 0.2, emission = {glow:?}, group = "glow" }}
+{materials}
+[[surfaces]]
+name = "room"
+material = "wall"
+box = {{ origin = [0, 0, 0], size = [1, 1, 1], inward = true }}
+[[surfaces]]
+name = "block"
+material = "wall"
+box = {{ origin = [0.5, 0.5, 0], size = [0.25, 0.3, 0.5] }}
+[[surfaces]]
+name = "lamp"
+material = "lamp"
+parallelogram = {{ origin = [0.2, 0.4, 0.9], edge1 = [0, 0.2, 0], edge2 = [0.2, 0, 0] }}
+[[surfaces]]
+name = "glow"
+material = "glow"
+parallelogram = {{ origin = [0.05, 0.05, 0.2], edge1 = [0.2, 0, 0], edge2 = [0, 0.2, 0] }}
+{surfaces}
+[[surfaces]]
+name = "panel"
+material = "wall"
+two_sided = true
+parallelogram = {{ origin = [0.1, 0.5, 0.6], edge1 = [0.3, 0, 0], edge2 = [0, 0.3, 0] }}
+"#
+    )
+}
+
 /// The scene of a text in TOML that is right; messages call it `scene`.
 #[track_caller]
 pub fn typed(text: &str) -> Scene {
