@@ -136,7 +136,7 @@ impl Schedule<'_> {
 
     /// Whether nothing stands between the elements of a task but what has an outline.
     fn casts_flat_shadows(&self, task: &Task) -> bool {
-        task.blockers.is_empty() || self.visibility.are_planar(&task.blockers)
+        self.visibility.are_planar(&task.blockers) || self.has_outlines(task)
     }
 
     /// Stores the blocks of all tasks with their costs and errors, and returns those that are left to rays.

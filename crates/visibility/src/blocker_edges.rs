@@ -7,6 +7,10 @@
 use radiosity_geom::{COINCIDENT, DVec3, Plane, sides};
 use smallvec::SmallVec;
 
+/// Distance of the corners of the octahedron that stands for a ball from its centre, in radii: the middles of
+/// its edges lie at 0.85.
+const BEYOND_BALL: f64 = 1.2;
+
 /// An edge of a blocker.
 #[derive(Debug)]
 pub struct BlockerEdge {
@@ -28,6 +32,17 @@ impl BlockerEdge {
     /// The edges of a single polygon.
     pub(super) fn all_of(polygon: &[DVec3]) -> impl Iterator<Item = Self> {
         sides(polygon).map(|ends| Self { ends, faces: SmallVec::new() })
+    }
+
+    /// Edges that stand for the outline of a ball from any side: those of an octahedron whose corners lie
+    /// outside the ball, and the middles of whose edges inside, by about as much.
+    pub(super) fn about_ball(center: DVec3, radius: f64) -> impl Iterator<Item = Self> {
+        let corner = move |k: usize| {
+            let axis = [DVec3::X, DVec3::Y, DVec3::Z][k / 2];
+            center + BEYOND_BALL * radius * if k.is_multiple_of(2) { axis } else { -axis }
+        };
+        let pairs = (0..6).flat_map(|k| (0..k).map(move |l| [k, l])).filter(|[k, l]| k / 2 != l / 2);
+        pairs.map(move |pair: [usize; 2]| Self { ends: pair.map(corner), faces: SmallVec::new() })
     }
 
     /// Whether the edge may bound what some point in the hull of `cell` does not see of the hull of

@@ -6,7 +6,8 @@
 //! two hulls it meets every segment, and the pair is fully hidden. Otherwise segments are tested against the
 //! candidates alone.
 //!
-//! In order: [`tolerances`], [`blocker_edges`], [`bounding_ball`], [`shadow_volume`], `cloud`,
+//! In order: [`tolerances`], [`blocker_edges`], [`bounding_ball`], [`shadow_volume`],
+//! `shadow_cone` and [`blocker_shadow`] (what blockers hide from a point), `cloud`,
 //! `convex_bodies`, [`silhouette_mesh`], [`Shadows`] (ways to find them), `within` (what lies in a convex
 //! solid), `obstacle` (of what obstacles are made), `rays` and `whole` (what rays meet first, what hides as a
 //! whole), [`Visibility`], the noun of the crate; then what a scene says of itself: [`footprints`] (where
@@ -19,6 +20,8 @@ pub mod tolerances;
 pub mod blocker_edges;
 pub mod bounding_ball;
 pub mod shadow_volume;
+mod shadow_cone;
+pub mod blocker_shadow;
 mod cloud;
 mod convex_bodies;
 pub mod silhouette_mesh;
@@ -115,7 +118,14 @@ impl Visibility {
     pub fn some_candidates(&self, a: &[DVec3], b: &[DVec3], surfaces: [usize; 2], most: usize) -> Vec<usize> {
         let found = self.standing_between(a, b, surfaces);
         // What a surface encloses is looked for once it reaches between the two.
-        let may_hide = |index: &usize| !surfaces.iter().all(|surface| self.encloses(*index, *surface));
+        let holds_both = |index: &usize| surfaces.iter().all(|surface| self.encloses(*index, *surface));
+        // What sees the outside of a convex solid sees it past nothing that lies within.
+        let is_within = |index: &usize| {
+            let turned_out =
+                surfaces.iter().filter(|surface| self.obstacles[**surface].bend == Bend::Outward);
+            turned_out.into_iter().any(|surface| self.encloses(*surface, *index))
+        };
+        let may_hide = |index: &usize| !holds_both(index) && !is_within(index);
         let reaching = self.reaching_between(&found, |index| self.own_hull(index), [a, b]);
         reaching.filter(may_hide).take(most).collect()
     }
@@ -148,7 +158,7 @@ impl Visibility {
 
     /// Whether a surface lies on the boundary of a convex solid within which another one lies: it hides
     /// nothing from there.
-    fn encloses(&self, surface: usize, other: usize) -> bool {
+    pub fn encloses(&self, surface: usize, other: usize) -> bool {
         let own = &self.obstacles[surface];
         let all =
             || (0..self.obstacles.len()).filter(|index| own.encloses(&self.obstacles[*index])).collect();
@@ -298,15 +308,24 @@ impl Visibility {
         !ball.misses(x, y) && shape.occludes(&ray)
     }
 
-    /// Centre and radius of the single blocker, if it is a whole ball.
-    pub fn only_ball(&self, blockers: &[usize]) -> Option<(DVec3, f64)> {
-        let [only] = blockers else { return None };
-        self.obstacles[*only].shape.ball()
+    /// Centre and radius of a surface, if it is a whole ball.
+    pub fn ball(&self, surface: usize) -> Option<(DVec3, f64)> {
+        self.obstacles[surface].shape.ball()
     }
 
-    /// Whether shadows of `blockers` are computed from outlines: all are planar, and the mode allows it.
+    /// Centre and radius of the single blocker, if it is a whole ball.
+    pub fn only_ball(&self, blockers: &[usize]) -> Option<(DVec3, f64)> {
+        if let [only] = blockers { self.ball(*only) } else { None }
+    }
+
+    /// Whether shadows of `blockers` are computed from outlines: all are planar or whole balls, and the mode
+    /// allows it.
     pub fn has_outlines(&self, blockers: &[usize]) -> bool {
-        matches!(self.shadows, Shadows::Auto | Shadows::Exact) && self.are_planar(blockers)
+        let has_outline = |index: &usize| {
+            let Obstacle { pieces, shape, .. } = &self.obstacles[*index];
+            pieces.is_some() || shape.ball().is_some()
+        };
+        matches!(self.shadows, Shadows::Auto | Shadows::Exact) && blockers.iter().all(has_outline)
     }
 
     /// Whether surfaces hide each other at all.

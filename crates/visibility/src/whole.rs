@@ -1,10 +1,13 @@
 //! Visibility tests of whole blockers: of surfaces, or of the convex bodies they belong to.
 
 use radiosity_geom::{Aabb, DVec3, separated};
+use smallvec::SmallVec;
 
 use super::{Hull, Visibility};
 use crate::blocker_edges::BlockerEdge;
+use crate::blocker_shadow::BlockerShadow;
 use crate::bounding_ball::Ball;
+use crate::shadow_cone::ShadowCone;
 use crate::shadow_volume::ShadowVolume;
 
 impl Visibility {
@@ -69,24 +72,48 @@ impl Visibility {
             .extend(pieces.filter(|piece| standing(piece)).filter_map(|piece| ShadowVolume::over(piece, x)));
     }
 
-    /// The `surfaces` with only the first face of each body.
+    /// The `surfaces` with only the first face of each body, and without those within a ball among them, whose
+    /// shadows that of the ball covers.
     pub fn one_of_each_body(&self, surfaces: &[usize]) -> Vec<usize> {
         let is_first = |(place, surface): &(usize, &usize)| {
             !surfaces[..*place].iter().any(|other| self.are_of_one_body(*other, **surface))
         };
-        surfaces.iter().enumerate().filter(is_first).map(|(_, surface)| *surface).collect()
+        let is_covered = |(place, surface): &(usize, &usize)| {
+            let covers = |(at, other): (usize, &usize)| {
+                at != *place
+                    && self.ball(*other).is_some()
+                    && self.encloses(*other, **surface)
+                    && !(self.encloses(**surface, *other) && at > *place)
+            };
+            surfaces.iter().enumerate().any(covers)
+        };
+        let all = surfaces.iter().enumerate().filter(is_first);
+        all.filter(|own| !is_covered(own)).map(|(_, surface)| *surface).collect()
     }
 
-    /// Shadow volumes from `x` of the planar `surfaces`, one per body, that may hide a part of `ball`.
-    pub fn volumes(&self, surfaces: &[usize], x: DVec3, ball: &Ball) -> Vec<ShadowVolume> {
-        let mut volumes = Vec::with_capacity(surfaces.len());
+    /// Shadows from `x` of `surfaces` with outlines, one per body, that may hide a part of `ball`; those of
+    /// balls with so many `corners` on a full turn.
+    pub fn shadows(&self, surfaces: &[usize], x: DVec3, ball: &Ball, corners: usize) -> Vec<BlockerShadow> {
+        let mut shadows = Vec::with_capacity(surfaces.len());
         let stands = |piece: &[DVec3]| !ball.is_beside(piece, x);
-        surfaces.iter().for_each(|surface| self.add_volumes(*surface, x, stands, &mut volumes));
-        volumes
+        let mut volumes: SmallVec<[ShadowVolume; 8]> = SmallVec::new();
+        for surface in surfaces {
+            if let Some((center, radius)) = self.ball(*surface) {
+                shadows.extend(ShadowCone::over(center, radius, x, corners).map(BlockerShadow::Cone));
+                continue;
+            }
+            self.add_volumes(*surface, x, stands, &mut volumes);
+            shadows.extend(volumes.drain(..).map(BlockerShadow::Pyramid));
+        }
+        shadows
     }
 
-    /// The edges of a planar surface, or of the convex body it belongs to.
+    /// The edges of a planar surface, or of the convex body it belongs to; of a ball those that stand for its
+    /// outline.
     pub fn blocker_edges(&self, surface: usize) -> Vec<BlockerEdge> {
+        if let Some((center, radius)) = self.ball(surface) {
+            return BlockerEdge::about_ball(center, radius).collect();
+        }
         match self.bodies.of(surface) {
             Some(body) => body.blocker_edges().collect(),
             None => self

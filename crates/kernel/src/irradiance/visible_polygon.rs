@@ -12,6 +12,7 @@
 //! instead, one plane of the shadow volume at a time. Either way overlapping shadows count once. 0 ≤ F ≤ 1.
 
 use radiosity_geom::DVec3;
+use radiosity_visibility::blocker_shadow::BlockerShadow;
 use radiosity_visibility::bounding_ball::Ball;
 use radiosity_visibility::shadow_volume::{Corners, Coverage, ShadowVolume, cut_at_horizon, reach};
 use smallvec::SmallVec;
@@ -75,10 +76,10 @@ fn outside<'a>(n: DVec3, polygon: &[DVec3], volumes: impl Iterator<Item = &'a Sh
 /// The part of the convex `polygon` inside any of `volumes`, which all have the same tip, as convex polygons
 /// without overlaps, relative to that tip; and whether this part is the whole polygon. `ball` contains the
 /// polygon.
-pub fn inside_any(polygon: &[DVec3], ball: &Ball, volumes: &[ShadowVolume]) -> (Vec<Corners>, bool) {
-    let Some(eye) = volumes.first().map(ShadowVolume::eye) else { return (Vec::new(), false) };
+pub fn inside_any(polygon: &[DVec3], ball: &Ball, volumes: &[BlockerShadow]) -> (Vec<Corners>, bool) {
+    let Some(eye) = volumes.first().map(BlockerShadow::eye) else { return (Vec::new(), false) };
     let whole: Corners = polygon.iter().map(|corner| corner - eye).collect();
-    let mut mixed: SmallVec<[&ShadowVolume; 8]> = SmallVec::new();
+    let mut mixed: SmallVec<[&BlockerShadow; 8]> = SmallVec::new();
     // The reach of the whole bounds that of every part.
     let reach = reach(&whole);
     for volume in volumes.iter().filter(|volume| !volume.misses(ball)) {

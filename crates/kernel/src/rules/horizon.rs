@@ -55,6 +55,7 @@ mod view;
 mod line;
 mod front;
 mod part;
+mod zone_part;
 
 use std::sync::Arc;
 
@@ -67,6 +68,7 @@ use radiosity_work::interruption::check_interrupt;
 use crate::contact::orientation::{Facing, facing};
 use crate::contact::planes::plane_of;
 use crate::estimates::entry_norm::EntryNorm;
+use crate::rules::zone::Zone;
 use crate::tolerances::{ERROR_OF_FINER_RULE, MOST_TRIMS, SHARE_OF_CLIMB};
 use cell::{Cell, DIRECTIONS, Whole};
 pub use front::Front;
@@ -75,6 +77,7 @@ use part::Part;
 use queue::Queue;
 pub use view::Ball;
 use view::View;
+use zone_part::ZonePart;
 
 /// Points of the rules tried on an outer patch, relative to those that the unclipped kernel needs. The last
 /// one is as good as the kernel allows; two coarser ones before it end sooner where little is asked. More of
@@ -98,6 +101,8 @@ const WHOLES: usize = 4;
 /// much: a part of a twentieth of the patch about a corner. An arbitrary choice: with a smaller value light
 /// that no rule sees is missed; with a larger one cells are halved about corners that see next to nothing.
 const CORNER: f64 = 0.05;
+/// Points along each direction of a part of the outer patch from which it is told whether it faces a sphere.
+const LOOKS: usize = 3;
 const CORNERS: [(f64, f64); 4] = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)];
 
 /// The result for a pair of patches.
@@ -131,25 +136,69 @@ pub struct InnerPatch {
     pub points: Arc<[[usize; 2]]>,
 }
 
+/// The inner element, or parts of it.
+pub enum Inner<'a> {
+    /// Patches.
+    Patches(&'a [InnerPatch]),
+    /// All of an element on a sphere, with the points of a quarter circle along and across.
+    Zone(&'a Zone<'a>, [usize; 2]),
+}
+
+/// A part of the inner element under integration.
+enum InnerPart<'a> {
+    Patch(Box<Part<'a>>),
+    Zone(ZonePart<'a>),
+}
+
+impl InnerPart<'_> {
+    /// Whether a part of the outer patch may face it.
+    fn may_face(&self, outer: &Patch) -> bool {
+        match self {
+            Self::Patch(part) => facing(outer, part.patch(), false, 0.0) != Facing::Away,
+            Self::Zone(part) => outer.cell_nodes(LOOKS).iter().any(|x| part.may_be_seen_from(x)),
+        }
+    }
+
+    fn may_be_seen_from(&self, x: &View) -> bool {
+        match self {
+            Self::Patch(part) => part.may_be_seen_from(x),
+            Self::Zone(part) => part.may_be_seen_from(&x.node),
+        }
+    }
+
+    /// Adds W_l(x) to `out`; returns the number of evaluations.
+    fn seen_from(&mut self, x: &View, out: &mut [f64]) -> u64 {
+        match self {
+            Self::Patch(part) => part.seen_from(x, out),
+            Self::Zone(part) => part.seen_from(&x.node, out),
+        }
+    }
+}
+
 /// The moments of an outer patch with inner ones apart from it, to `tolerance` in the block's entries, with
 /// about `budget` evaluations.
 pub fn integrate(
     outer: &Side,
     basis: &AreaBasis,
-    inner: &[InnerPatch],
+    inner: &Inner,
     norm: &EntryNorm,
     tolerance: f64,
     budget: u64,
 ) -> Cut {
-    let parts = inner
-        .iter()
-        .map(|InnerPatch { patch, points }| Part::new(patch.clone(), basis, Arc::clone(points), 0));
-    let patches: Vec<Patch> = inner.iter().map(|inner| inner.patch.clone()).collect();
+    let part = |InnerPatch { patch, points }: &InnerPatch| {
+        InnerPart::Patch(Box::new(Part::new(patch.clone(), basis, Arc::clone(points), 0)))
+    };
+    let (parts, patches): (Vec<InnerPart>, Vec<Patch>) = match inner {
+        Inner::Patches(patches) => {
+            (patches.iter().map(part).collect(), patches.iter().map(|inner| inner.patch.clone()).collect())
+        }
+        Inner::Zone(zone, points) => (vec![InnerPart::Zone(ZonePart::new(zone, basis, *points))], Vec::new()),
+    };
     let mut job = Job {
         outer,
         front: plane_of(&patches).map(Front::of),
         columns: basis.len(),
-        inner: parts.collect(),
+        inner: parts,
         norm,
         tolerance,
         budget,
@@ -175,7 +224,7 @@ struct Job<'a> {
     /// The plane of the inner patches, if they lie in one.
     front: Option<Front>,
     columns: usize,
-    inner: Vec<Part<'a>>,
+    inner: Vec<InnerPart<'a>>,
     norm: &'a EntryNorm,
     tolerance: f64,
     budget: u64,
@@ -187,10 +236,7 @@ impl Job<'_> {
     /// miss it. None if all is dark.
     fn seeing(&self) -> Option<Patch> {
         let mut patch = self.outer.patch.clone();
-        let inner = |half: &Patch| {
-            let faces = |part: &Part| facing(half, part.patch(), false, 0.0) != Facing::Away;
-            self.inner.iter().any(faces)
-        };
+        let inner = |half: &Patch| self.inner.iter().any(|part| part.may_face(half));
         let (mut kept, mut trims) = (0, 0);
         while kept < DIRECTIONS.len() && trims < MOST_TRIMS && self.has_dark_corner(&patch) {
             let [first, second] = patch.halves(DIRECTIONS[trims % DIRECTIONS.len()]);

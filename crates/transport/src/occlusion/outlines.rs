@@ -1,5 +1,5 @@
 //! Occlusion correction by outlines: what planar blockers take away from the transfer between two elements of
-//! which at least one is flat.
+//! which at least one is flat, or both lie on the inside of one sphere.
 //!
 //! ```text
 //! G = G⁰ − S ,     S_kl = ∫ φ_k(x) ∫_{H(x)} φ_l(y) κ(x, y) dA_y dA_x ,
@@ -27,6 +27,7 @@ mod correction_sums;
 use radiosity_elements::Element;
 use radiosity_elements::patch::Patch;
 use radiosity_kernel::blocks::block::Block;
+use radiosity_kernel::rules::zone::Zone;
 use radiosity_visibility::Visibility;
 use rayon::prelude::*;
 
@@ -35,10 +36,13 @@ pub(crate) use correction::Limit;
 use correction_sums::{CorrectionSums, Occlusion};
 use sides::Sides;
 
+use crate::tolerances::LOOSEST_OF_OUTLINES;
+
 /// Number of outer patches from which they are summed in parallel: fewer are done before threads share them.
 const MANY: usize = 8;
 
-/// The correction for `blockers`, all of them planar, between two elements of which at least one is flat.
+/// The correction for `blockers`, all of them with outlines, between two elements of which at least one is
+/// flat, or that lie on the inside of one sphere.
 fn occlusion(pair: [&Element; 2], blockers: &[usize], visibility: &Visibility, limit: Limit) -> Occlusion {
     let blockers = visibility.by_place(blockers);
     let accuracy = limit.error / limit.entry;
@@ -66,6 +70,12 @@ fn occlusion(pair: [&Element; 2], blockers: &[usize], visibility: &Visibility, l
     sums.finish()
 }
 
+/// Whether the elements of a pair lie on the inside of one sphere, over rectangles of longitude and latitude.
+pub(crate) fn share_sphere(pair: [&Element; 2]) -> bool {
+    let [first, second] = pair.map(|element| Zone::of(element, LOOSEST_OF_OUTLINES));
+    first.zip(second).is_some_and(|(first, second)| first.shares_inside(&second))
+}
+
 /// The block between two elements with planar `blockers`, its correction accurate to `limit`. `unshaded`
 /// makes the unobstructed block.
 pub(crate) fn occluded_block(
@@ -75,7 +85,10 @@ pub(crate) fn occluded_block(
     limit: Limit,
     unshaded: impl FnOnce() -> Block,
 ) -> Block {
-    let occlusion = occlusion(pair, blockers, visibility, limit);
+    let mut occlusion = occlusion(pair, blockers, visibility, limit);
+    if std::ptr::eq(pair[0], pair[1]) {
+        occlusion.make_symmetric(pair[0].basis.len());
+    }
     if occlusion.dark {
         let mut block = Block::hidden(occlusion.values.len(), 0);
         block.report.samples = occlusion.samples;

@@ -78,18 +78,19 @@ use std::f64::consts::FRAC_1_SQRT_2;
 
 use radiosity_elements::Element;
 use radiosity_elements::patch::Patch;
-use radiosity_geom::COINCIDENT;
 use radiosity_kernel::contact::patches::Contact;
 use radiosity_kernel::contact::planes::plane_of;
 use radiosity_kernel::contact::sectors::sectors;
 use radiosity_kernel::estimates::coarse::{largest_kernel, scale};
 use radiosity_kernel::estimates::entry_bounds::SMALLEST_ENTRY;
 use radiosity_kernel::rules::horizon::{Ball, Front};
+use radiosity_kernel::rules::zone::Zone;
 use radiosity_kernel::{PairKind, blocks::block::Block};
 use radiosity_visibility::Visibility;
 use radiosity_work::interruption::check_interrupt;
 
-use crate::pair::job::{BallBlocker, Job, State, Task};
+use crate::occlusion::outside_ball::lies_outside;
+use crate::pair::job::{BallBlocker, InnerZone, Job, State, Task};
 use crate::pair::size::area;
 use crate::pair::tolerance::Tolerance;
 use crate::tolerances::ABOVE_ESTIMATE;
@@ -133,6 +134,10 @@ pub(crate) fn block(
         return job.finish();
     }
     job.ball = job.ball_between(blockers);
+    if blockers.is_empty() {
+        let zone = Zone::of(emitter, tolerance.accuracy.eps);
+        job.inner = zone.map(|zone| InnerZone { zone, sectors: emitters.clone() });
+    }
     if blockers.is_empty() || job.ball.is_some() {
         job.tasks.extend(receivers.into_iter().map(|part| Task::Fan(part, emitters.clone())));
     } else {
@@ -217,14 +222,8 @@ impl Job<'_> {
     /// The only blocker, if it is a ball and both elements lie outside it.
     fn ball_between(&self, blockers: &[usize]) -> Option<BallBlocker> {
         let (center, radius) = self.visibility.only_ball(blockers)?;
-        let outside = |patch: &Patch| {
-            let corners = patch.corners();
-            let inner = patch.cell_nodes(6);
-            let points = corners.iter().copied().chain(inner.iter().map(|x| x.position));
-            points.into_iter().all(|x| x.distance(center) >= radius * (1.0 - COINCIDENT))
-        };
-        let all = self.elements.iter().flat_map(|element| sectors(element)).all(|patch| outside(&patch));
-        all.then_some(BallBlocker { surface: blockers[0], ball: Ball { center, radius } })
+        let are_outside = self.elements.iter().all(|element| lies_outside(element, center, radius));
+        are_outside.then_some(BallBlocker { surface: blockers[0], ball: Ball { center, radius } })
     }
 
     /// The state of a pair of sectors: being a sector counts as the halvings that would make a part of the

@@ -18,6 +18,7 @@ use radiosity_kernel::moments::Moments;
 use radiosity_kernel::rules::common_edge::EdgePair;
 use radiosity_kernel::rules::far::SMALLEST_RATIO;
 use radiosity_kernel::rules::horizon::{Ball, Front};
+use radiosity_kernel::rules::zone::Zone;
 use radiosity_kernel::{PairKind, blocks::block::Block};
 use radiosity_visibility::Visibility;
 use radiosity_work::interruption::check_interrupt;
@@ -53,6 +54,12 @@ pub(super) struct BallBlocker {
     pub ball: Ball,
 }
 
+/// The inner element of fans on a sphere, and its sectors.
+pub(super) struct InnerZone<'a> {
+    pub zone: Zone<'a>,
+    pub sectors: Vec<Patch>,
+}
+
 pub(super) struct Job<'a> {
     pub visibility: &'a Visibility,
     /// Errors allowed; the samples of a flat pair are not limited.
@@ -70,6 +77,8 @@ pub(super) struct Job<'a> {
     pub fronts: Option<[Front; 2]>,
     /// The ball that stands between in fans.
     pub ball: Option<BallBlocker>,
+    /// The inner element of fans, if it lies on a sphere and nothing stands between.
+    pub inner: Option<InnerZone<'a>>,
     pub moments: Moments<'a>,
     pub norm: EntryNorm,
     pub tasks: VecDeque<Task>,
@@ -102,6 +111,7 @@ impl<'a> Job<'a> {
             tolerance,
             fronts: None,
             ball: None,
+            inner: None,
             moments: Moments::new(&receiver.basis, &emitter.basis),
             norm: EntryNorm::of([&receiver.basis, &emitter.basis]),
             tasks: VecDeque::new(),

@@ -11,7 +11,8 @@ use radiosity_visibility::Visibility;
 use radiosity_work::interruption::check_interrupt;
 
 use crate::kept_blocks::Request;
-use crate::occlusion::outlines::Limit;
+use crate::occlusion::outlines::{Limit, share_sphere};
+use crate::occlusion::outside_ball::lies_outside;
 use crate::pair::tolerance::Tolerance;
 use crate::schedule::task::{Schedule, Task};
 use crate::tolerances::{ABOVE_ESTIMATE, SHADOWS_IN_FACTORS, SHADOWS_IN_ROW};
@@ -144,13 +145,21 @@ impl Schedule<'_> {
         Goal { accuracy, bent, ..shaded }
     }
 
-    /// Whether shadows are found by outlines: all blockers and at least one element are planar, and neither
-    /// hides part of itself (its light would be taken off twice).
-    fn has_outlines(&self, task: &Task) -> bool {
-        let is_planar = |index: u32| self.list[index as usize].plane.is_some();
-        (is_planar(task.row) || is_planar(task.column))
-            && task.own.is_empty()
+    /// Whether shadows are found by outlines: all blockers are planar, or balls outside which both elements
+    /// lie, at least one element is planar or both lie on the inside of one sphere, and neither hides part of
+    /// itself (its light would be taken off twice).
+    pub(super) fn has_outlines(&self, task: &Task) -> bool {
+        let elements = task.pair().map(|index| &self.list[index]);
+        let is_outside = |blocker: &usize| {
+            let ball = self.visibility.ball(*blocker);
+            ball.is_none_or(|(center, radius)| {
+                elements.iter().all(|element| lies_outside(element, center, radius))
+            })
+        };
+        task.own.is_empty()
             && self.visibility.has_outlines(&task.blockers)
+            && (elements.iter().any(|element| element.plane.is_some()) || share_sphere(elements))
+            && task.blockers.iter().all(is_outside)
     }
 
     /// The largest `entry(task, [element of the row, other element])` of each row, rounded down: where things

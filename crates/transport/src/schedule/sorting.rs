@@ -1,11 +1,13 @@
 //! Sorting of all pairs: into those that exchange nothing, by reasons, and those whose blocks are to be found.
 
+use radiosity_elements::Element;
 use radiosity_kernel::PairCounts;
 use radiosity_kernel::contact::planes;
 use radiosity_kernel::contact::planes::Planes;
 use radiosity_work::interruption::check_interrupt;
 use radiosity_work::ranks::{PartName, Ranks};
 
+use crate::occlusion::outside_ball::lies_outside;
 use crate::schedule::task::{Schedule, Task};
 use crate::tolerances::BELOW_ESTIMATE;
 
@@ -85,7 +87,11 @@ impl Schedule<'_> {
         }
         let surfaces = [receiver.surface, emitter.surface];
         let blockers = self.visibility.candidates(&receiver.hull, &emitter.hull, surfaces);
-        if row != column && self.visibility.hidden(&blockers, &receiver.hull, &emitter.hull) {
+        let is_hidden = || {
+            self.visibility.hidden(&blockers, &receiver.hull, &emitter.hull)
+                || self.are_parted([receiver, emitter], &blockers)
+        };
+        if row != column && is_hidden() {
             return Sorted::Hidden;
         }
         let estimate = if self.is_estimated { self.estimate(row, column) } else { 0.0 };
@@ -95,6 +101,16 @@ impl Schedule<'_> {
         let hash = is_posed.then(|| self.pose_of(row, column)).flatten().map(|pose| pose.hash());
         let (row, column) = (row as u32, column as u32);
         Sorted::Task(Task { row, column, entries, estimate, hash, blockers, own })
+    }
+
+    /// Whether one of two elements lies in a whole ball among `blockers`, and the other outside.
+    fn are_parted(&self, pair: [&Element; 2], blockers: &[usize]) -> bool {
+        let parts = |blocker: &usize| {
+            let Some((center, radius)) = self.visibility.ball(*blocker) else { return false };
+            let [first, second] = pair.map(|own| self.visibility.encloses(*blocker, own.surface));
+            first && lies_outside(pair[1], center, radius) || second && lies_outside(pair[0], center, radius)
+        };
+        blockers.iter().any(parts)
     }
 
     /// Bounds of the entries of a block from below and above, given the coarse estimate of its first one.

@@ -4,6 +4,7 @@ use radiosity_elements::Element;
 use radiosity_geom::DVec3;
 use radiosity_kernel::contact::clip::Facet;
 use radiosity_kernel::moments::Side;
+use radiosity_kernel::rules::zone::Zone;
 use radiosity_visibility::Visibility;
 use radiosity_visibility::bounding_ball::Ball;
 
@@ -19,6 +20,23 @@ pub(crate) struct Limit {
     pub entry: f64,
 }
 
+/// The inner element as points of the outer one see it.
+pub(super) enum InnerShape<'a> {
+    Flat(Facets),
+    /// On the inside of the sphere that the outer element lies on too.
+    OfSphere(Zone<'a>),
+}
+
+/// A flat inner element.
+pub(super) struct Facets {
+    /// The parts that face the outer element.
+    pub(super) polygons: Vec<Vec<DVec3>>,
+    /// A ball around each part.
+    pub(super) balls: Vec<Ball>,
+    /// Unit normal.
+    pub(super) normal: DVec3,
+}
+
 /// The constants of one correction.
 pub(super) struct Correction<'a> {
     pub(super) pair: [&'a Element; 2],
@@ -27,18 +45,17 @@ pub(super) struct Correction<'a> {
     pub(super) side: Side,
     pub(super) outer: &'a Element,
     pub(super) inner: &'a Element,
-    /// The parts of the inner element that face the outer one.
-    pub(super) polygons: Vec<Vec<DVec3>>,
-    /// A ball around each part, and one around all.
-    pub(super) balls: Vec<Ball>,
+    pub(super) inner_shape: InnerShape<'a>,
+    /// A ball around the inner element.
     pub(super) ball: Ball,
-    pub(super) normal: DVec3,
     /// About the largest φ_k φ_l, per unit of the raw functions.
     pub(super) unit: f64,
     /// The constant raw function of the inner element, and the entry of G per unit of ∫∫κ.
     pub(super) constant: f64,
     pub(super) constants: f64,
     pub(super) points: usize,
+    /// Corners of the polygons that stand for the outlines of balls.
+    pub(super) ball_corners: usize,
     /// Relative accuracy of the inner integrals: 0.3 of the block's, most of which is left to the outer ones.
     pub(super) accuracy: f64,
     pub(super) limit: Limit,
@@ -57,29 +74,48 @@ impl<'a> Correction<'a> {
             Side::Receiver => pair,
             Side::Emitter => [pair[1], pair[0]],
         };
-        let corners: Vec<DVec3> = inner.iter().flat_map(|facet| facet.corners.iter().copied()).collect();
-        let normal = other.plane.map_or(DVec3::ZERO, |plane| plane.normal);
         let unit = pair.iter().map(|element| element.basis.transform()[0]).product();
         let accuracy = (0.3 * limit.error / limit.entry).clamp(1e-14, LOOSEST_OF_OUTLINES);
+        let (corners, inner_shape) = match other.plane {
+            Some(plane) => {
+                let polygons: Vec<Vec<DVec3>> = inner.iter().map(|facet| facet.corners.clone()).collect();
+                let balls = polygons.iter().map(|polygon| Ball::around(polygon)).collect();
+                (polygons.concat(), InnerShape::Flat(Facets { polygons, balls, normal: plane.normal }))
+            }
+            None => {
+                let zone = Zone::of(other, accuracy).expect("both elements lie on the inside of a sphere");
+                (other.hull.clone(), InnerShape::OfSphere(zone))
+            }
+        };
         Self {
             pair,
             visibility,
-            edges: Edges::new(blockers, visibility, &corners, normal),
+            ball: Ball::around(&corners),
+            edges: Edges::new(blockers, visibility, &corners, other.plane.map(|plane| plane.normal)),
             side,
             outer,
             inner: other,
-            balls: inner.iter().map(|facet| Ball::around(&facet.corners)).collect(),
-            ball: Ball::around(&corners),
-            polygons: inner.iter().map(|facet| facet.corners.clone()).collect(),
-            normal,
+            inner_shape,
             unit,
             constant: other.basis.constant(),
             constants: unit * outer.basis.constant() * other.basis.constant(),
             points: points(outer.basis.total_degree(), accuracy),
+            ball_corners: ball_corners(accuracy),
             accuracy,
             limit,
         }
     }
+}
+
+/// Fewest corners that stand for a ball's outline: six kites, each of a sixth of a turn.
+const FEWEST_CORNERS: usize = 12;
+/// Most of them: they miss 7e-10 of a shadow.
+const MOST_CORNERS: usize = 128;
+
+/// Corners that stand for a ball's outline: n miss 0.2/n⁴ of a shadow; half as many again as that asks for.
+fn ball_corners(accuracy: f64) -> usize {
+    let corners = 1.5 * (0.2 / accuracy).sqrt().sqrt();
+    (corners.ceil() as usize).clamp(FEWEST_CORNERS, MOST_CORNERS)
 }
 
 /// Points per direction of the outer rule, for functions of this degree times the inner integral, which is

@@ -11,11 +11,14 @@ use radiosity_kernel::irradiance::visible_polygon::{inside_any, irradiance, irra
 use radiosity_kernel::moments::{Moments, Side};
 use radiosity_kernel::rules::far;
 use radiosity_kernel::rules::far::SMALLEST_RATIO;
+use radiosity_kernel::rules::zone::Zone;
+use radiosity_visibility::blocker_shadow::BlockerShadow;
+use radiosity_visibility::bounding_ball::Ball;
 use radiosity_visibility::shadow_volume::Corners;
 use radiosity_work::interruption::check_interrupt;
 
 use crate::occlusion::outlines::cell_cut::CellCut;
-use crate::occlusion::outlines::correction::Correction;
+use crate::occlusion::outlines::correction::{Correction, Facets, InnerShape};
 use crate::tolerances::{AGREED_BY_LEVELS, MOST_HALVINGS_OF_INNER, MOST_HALVINGS_OF_OUTER};
 
 /// Most cells of one patch of the outer element; what is left then counts as error. The worst patches of the
@@ -50,6 +53,19 @@ pub(super) struct Occlusion {
     pub error: f64,
     /// Terms of the rules.
     pub samples: u64,
+}
+
+impl Occlusion {
+    /// Takes ½ (S + Sᵀ) for that of an element with itself, whose inner integrals are better than the outer
+    /// ones; `count` is the number of its functions.
+    pub(super) fn make_symmetric(&mut self, count: usize) {
+        for k in 0..count {
+            for l in 0..k {
+                let mean = 0.5 * (self.values[k * count + l] + self.values[l * count + k]);
+                (self.values[k * count + l], self.values[l * count + k]) = (mean, mean);
+            }
+        }
+    }
 }
 
 /// The correction from one cell of the outer element.
@@ -198,7 +214,12 @@ impl<'a> CorrectionSums<'a> {
         let nodes =
             [[0.5, 0.5], [0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]].map(|[s, t]| cell.node(s, t));
         let seen = |x: &Node| -> f64 {
-            self.correction.polygons.iter().map(|polygon| irradiance(x.position, x.normal, polygon)).sum()
+            match &self.correction.inner_shape {
+                InnerShape::Flat(Facets { polygons, .. }) => {
+                    polygons.iter().map(|polygon| irradiance(x.position, x.normal, polygon)).sum()
+                }
+                InnerShape::OfSphere(zone) => zone.kernel() * self.correction.inner.area,
+            }
         };
         nodes.iter().map(seen).fold(0.0, f64::max) * nodes[0].area * self.correction.constants
     }
@@ -241,17 +262,32 @@ impl<'a> CorrectionSums<'a> {
 
     /// Adds ∫ κ(x, y) R_l(y) dA_y over what is hidden from x to `out`; returns how much is hidden.
     fn hidden(&mut self, x: &Node, blockers: &[usize], out: &mut [f64]) -> HiddenShare {
-        let volumes = self.correction.visibility.volumes(blockers, x.position, &self.correction.ball);
+        let Correction { visibility, inner_shape, ball, ball_corners, .. } = self.correction;
+        let shadows = visibility.shadows(blockers, x.position, ball, *ball_corners);
+        let share = match inner_shape {
+            InnerShape::Flat(facets) => self.hidden_of_facets(facets, x, &shadows, out),
+            InnerShape::OfSphere(zone) => self.hidden_of_sphere(zone, x, &shadows, out),
+        };
+        self.dark &= share == HiddenShare::Everything;
+        self.hides |= share != HiddenShare::Nothing;
+        share
+    }
+
+    fn hidden_of_facets(
+        &mut self,
+        facets: &Facets,
+        x: &Node,
+        shadows: &[BlockerShadow],
+        out: &mut [f64],
+    ) -> HiddenShare {
         let (mut any, mut everything) = (false, true);
-        for index in 0..self.correction.polygons.len() {
-            let Some(polygon) = self.seen_from(x, index) else { continue };
-            let (hidden, all) = inside_any(&polygon, &self.correction.balls[index], &volumes);
+        for (polygon, ball) in facets.polygons.iter().zip(&facets.balls) {
+            let Some(polygon) = self.seen_from(x, polygon, facets.normal) else { continue };
+            let (hidden, all) = inside_any(&polygon, ball, shadows);
             everything &= all;
             any |= !hidden.is_empty();
-            hidden.into_iter().for_each(|seen| self.gather(x, seen, out));
+            hidden.into_iter().for_each(|seen| self.gather(x, seen, facets.normal, out));
         }
-        self.dark &= everything;
-        self.hides |= any;
         match (any, everything) {
             (false, _) => HiddenShare::Nothing,
             (true, true) => HiddenShare::Everything,
@@ -259,41 +295,58 @@ impl<'a> CorrectionSums<'a> {
         }
     }
 
+    fn hidden_of_sphere(
+        &mut self,
+        zone: &Zone,
+        x: &Node,
+        shadows: &[BlockerShadow],
+        out: &mut [f64],
+    ) -> HiddenShare {
+        let view = zone.view(x.position).map(|corner| corner + x.position);
+        let (hidden, _) = inside_any(&view, &Ball::around(&view), shadows);
+        for seen in &hidden {
+            self.samples += zone.seen_through(x.position, seen, zone.kernel(), out);
+        }
+        if hidden.is_empty() { HiddenShare::Nothing } else { HiddenShare::Part }
+    }
+
     /// The part of a polygon of the inner element that a point sees without blockers.
-    fn seen_from(&self, x: &Node, index: usize) -> Option<Cow<'_, [DVec3]>> {
-        let polygon = &self.correction.polygons[index];
+    fn seen_from<'p>(&self, x: &Node, polygon: &'p [DVec3], normal: DVec3) -> Option<Cow<'p, [DVec3]>> {
         if self.correction.outer.plane.is_some() {
             return Some(Cow::Borrowed(polygon));
         }
-        let is_before = (x.position - polygon[0]).dot(self.correction.normal) > 0.0;
+        let is_before = (x.position - polygon[0]).dot(normal) > 0.0;
         let above = clip_polygon(polygon, x.position, x.normal);
         (is_before && above.len() > 2).then_some(Cow::Owned(above))
     }
 
     /// Adds the integral over a hidden polygon, given by its corners relative to x.
-    fn gather(&mut self, x: &Node, seen: Corners, out: &mut [f64]) {
+    fn gather(&mut self, x: &Node, seen: Corners, normal: DVec3, out: &mut [f64]) {
         if out.len() == 1 {
             self.samples += seen.len() as u64;
             out[0] += self.correction.constant * irradiance_seen(x.normal, seen);
             return;
         }
         let polygon: Corners = seen.iter().map(|a| a + x.position).collect();
-        for patch in Patch::of_polygon(&polygon, self.correction.normal) {
+        for patch in Patch::of_polygon(&polygon, normal) {
             let corners = patch.polygon();
             let length = Aabb::around(corners.iter().copied()).diagonal();
             if polygon_area(&corners) > SLIVER * length * length {
-                self.gauss(x, &patch, out, MOST_HALVINGS_OF_INNER);
+                self.gauss(x, &patch, normal, out, MOST_HALVINGS_OF_INNER);
             }
         }
     }
 
-    fn gauss(&mut self, x: &Node, patch: &Patch, out: &mut [f64], depth: usize) {
+    fn gauss(&mut self, x: &Node, patch: &Patch, normal: DVec3, out: &mut [f64], depth: usize) {
         let [along, across] = patch.extents();
         let [a, b, c, d] = patch.corners();
         let gap = point_to_polygon(x.position, &[a, b, c, d][..if patch.is_triangle() { 3 } else { 4 }]);
         if gap < SMALLEST_RATIO * along.max(across) && depth > 0 {
             let direction = if along >= across { Direction::Along } else { Direction::Across };
-            return patch.halves(direction).iter().for_each(|half| self.gauss(x, half, out, depth - 1));
+            return patch
+                .halves(direction)
+                .iter()
+                .for_each(|half| self.gauss(x, half, normal, out, depth - 1));
         }
         let basis = &self.correction.inner.basis;
         let degree = basis.total_degree() + usize::from(!patch.is_parallelogram());
@@ -304,7 +357,7 @@ impl<'a> CorrectionSums<'a> {
         };
         let (first, second) = (rule(along), rule(across));
         let area = [(b - a).cross(d - a), (b - a).cross(c - b), (c - d).cross(d - a)].map(|n| n.length());
-        let height = (x.position - a).dot(self.correction.normal) * FRAC_1_PI;
+        let height = (x.position - a).dot(normal) * FRAC_1_PI;
         for (s, ws) in first.iter() {
             let (start, across) = (a + (b - a) * s, (d - a) * (1.0 - s) + (c - b) * s);
             for (t, wt) in second.iter() {

@@ -8,7 +8,7 @@ use radiosity_elements::Element;
 use radiosity_elements::patch::Patch;
 use radiosity_geom::{DVec3, Plane, clip_polygon, touching};
 use radiosity_kernel::contact::clip::Facet;
-use radiosity_kernel::contact::gap::{polygon_distance, segment_distance};
+use radiosity_kernel::contact::gap::{point_to_polygon, polygon_distance, segment_distance};
 use radiosity_kernel::contact::sectors::sectors;
 use radiosity_kernel::moments::Side;
 use radiosity_visibility::Visibility;
@@ -21,13 +21,13 @@ use crate::tolerances::FINE_SHADOWS;
 /// would do; with a smaller one cells are halved along the side.
 const STANDING: f64 = 1e-2;
 
-/// The two sides of a pair of which at least one is flat.
+/// The two sides of a pair of which at least one is flat, or both lie on the inside of one sphere.
 pub(super) struct Sides {
     /// The outer element of the pair.
     pub(super) side: Side,
     /// The outer element.
     pub(super) outer: Vec<Patch>,
-    /// The inner one, flat.
+    /// The inner one where it is flat; empty on a sphere.
     pub(super) inner: Vec<Facet>,
 }
 
@@ -40,6 +40,7 @@ impl Sides {
         accuracy: f64,
     ) -> Self {
         match pair.map(|element| element.plane.is_none()) {
+            [true, true] => Self { side: Side::Receiver, outer: sectors(pair[0]), inner: Vec::new() },
             [true, _] => Self { side: Side::Receiver, outer: sectors(pair[0]), inner: facets(pair[1]) },
             [_, true] => Self { side: Side::Emitter, outer: sectors(pair[1]), inner: facets(pair[0]) },
             _ => Self::of_flat(pair, blockers, visibility, accuracy),
@@ -58,7 +59,8 @@ impl Sides {
         let mut parts: Vec<Facet> =
             outer.iter().flat_map(|facet| cut_along(facet, blockers, visibility)).collect();
         if accuracy < FINE_SHADOWS {
-            let bodies = visibility.one_of_each_body(blockers);
+            let mut bodies = visibility.one_of_each_body(blockers);
+            bodies.retain(|body| visibility.ball(*body).is_none());
             for Line { point, across } in kinks(&outer, &inner, &bodies, visibility) {
                 parts = parts.iter().flat_map(|part| halves(part, point, across)).collect();
             }
@@ -89,10 +91,14 @@ fn facing(pair: [&Element; 2]) -> [Vec<Facet>; 2] {
 /// The side that is better as the outer one.
 fn outer_side(polygons: &[Vec<&[DVec3]>; 2], blockers: &[usize], visibility: &Visibility) -> Side {
     let pieces = || blockers.iter().filter_map(|blocker| visibility.pieces(*blocker)).flatten();
+    let balls = || blockers.iter().filter_map(|blocker| visibility.ball(*blocker));
     let [receiver, emitter] = polygons.each_ref().map(|side| {
-        let pairs =
+        let to_pieces =
             side.iter().flat_map(|polygon| pieces().map(move |piece| polygon_distance(polygon, piece)));
-        let gap = pairs.fold(f64::INFINITY, f64::min);
+        let to_balls = side.iter().flat_map(|polygon| {
+            balls().map(move |(center, radius)| point_to_polygon(center, polygon) - radius)
+        });
+        let gap = to_pieces.chain(to_balls).fold(f64::INFINITY, f64::min);
         let corners = || side.iter().flat_map(|polygon| polygon.iter());
         let size = corners().flat_map(|a| corners().map(move |b| a.distance(*b))).fold(0.0, f64::max);
         gap / size

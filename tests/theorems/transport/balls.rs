@@ -1,0 +1,131 @@
+//! Balls between surfaces, in rooms and in spheres, and bodies in spheres: found by outlines, without rays.
+//!
+//! In a closed scene all that leaves a point arrives somewhere: Σ_j K_ij 1 = 1 at each point of i, that is
+//! Σ_j G_ij c_j = c_i with the coefficients c of the constant 1, for every polynomial.
+
+use proptest::prelude::*;
+use proptest::test_runner::TestRunner;
+use radiosity::kernel::Accuracy;
+use radiosity::scene::Scene;
+use radiosity::visibility::{Shadows, Visibility};
+use radiosity_test_support::random::seeded;
+use radiosity_test_support::scenes::typed;
+use radiosity_test_support::solved::{blocks_of, factors_of};
+
+use crate::transport::flat::elements;
+
+/// A scene of these surfaces, each begun by @.
+fn scene(surfaces: &str) -> Scene {
+    let surfaces = surfaces.replace('@', "[[surfaces]]\nmaterial = \"grey\"\n");
+    typed(&format!("materials.grey = {{ reflectance = 0.5 }}\n{surfaces}"))
+}
+
+/// Largest |Σ_j G_ij c_j − c_i| over √A_i, and the number of rays sent.
+fn openness(scene: &Scene, order: usize, eps: f64) -> (f64, u64) {
+    let elements = elements(scene, order).expect("all have area");
+    let visibility = Visibility::new(scene, Shadows::Auto, eps);
+    let blocks = blocks_of(&elements, &visibility, Accuracy { eps, shadow_eps: eps });
+    let constant = elements.constant();
+    let arrives = blocks.apply(&constant);
+    let starts = elements.starts();
+    let mut worst = 0.0f64;
+    for (element, start) in elements.list().iter().zip(starts) {
+        let range = start..start + element.basis.len();
+        let off = range.map(|k| (arrives[k] - constant[k]).abs()).fold(0.0, f64::max);
+        worst = worst.max(off / element.area.sqrt());
+    }
+    (worst, blocks.statistics.rays)
+}
+
+/// Checks each scene at orders and accuracies, and that no ray is sent but in some of them.
+fn check(cases: &[(&str, String)], cases_by_rays: &[&str]) {
+    for (name, surfaces) in cases {
+        let scene = scene(surfaces);
+        let by_rays = cases_by_rays.contains(name);
+        let asked = [(0, 1e-3), (0, 1e-5), (2, 1e-3), (2, 1e-4)];
+        for (order, eps) in asked.into_iter().take(if by_rays { 1 } else { asked.len() }) {
+            let (open, rays) = openness(&scene, order, eps);
+            println!("{name}, order {order}, {eps:.0e}: {open:.1e}, {rays} rays");
+            assert!(open < eps, "{name}, order {order}, {eps:.0e}: open by {open:.1e}");
+            assert!(rays == 0 || by_rays, "{name}: {rays} rays");
+        }
+    }
+}
+
+const ROOM: &str = "@box = { origin = [-1,-1,-1], size = [2,2.5,2], inward = true }\n\
+                    @sphere = { center = [0.2,0.1,-0.3], radius = 0.4 }\n";
+
+/// Walls see each other past balls, and past balls and blocks.
+#[test]
+fn walls_see_each_other_past_balls() {
+    let with = |more: &str| format!("{ROOM}{more}\n");
+    check(
+        &[
+            ("one ball", with("")),
+            ("two balls", with("@sphere = { center = [0.1,0.9,0.4], radius = 0.2 }")),
+            ("a ball on the floor", with("@sphere = { center = [0.4,0.9,-0.75], radius = 0.25 }")),
+            (
+                "a ball and a block",
+                with("@box = { origin = [-0.8,0.6,-1], size = [0.5,0.4,1.2], open = [\"bottom\"] }"),
+            ),
+        ],
+        &["two balls", "a ball on the floor"],
+    );
+}
+
+/// The inside of a sphere sees itself past balls and bodies.
+#[test]
+fn insides_of_spheres_see_each_other_past_bodies() {
+    let around =
+        |inner: &str| format!("@flip = true\nsphere = {{ center = [0,0,0], radius = 1 }}\n{inner}\n");
+    let two = "@sphere = { center = [0.3,-0.1,0.2], radius = 0.3 }\n\
+               @sphere = { center = [-0.4,0.1,-0.2], radius = 0.25 }";
+    let shield = "@two_sided = true\nsphere = { center = [0,0,0], radius = 0.7 }\n\
+                  @sphere = { center = [0.1,0,0], radius = 0.4 }";
+    let plate = "@two_sided = true\n\
+                 parallelogram = { origin = [-0.3,-0.2,0.1], edge1 = [0.6,0,0.1], edge2 = [0,0.5,0] }";
+    check(
+        &[
+            ("concentric", around("@sphere = { center = [0,0,0], radius = 0.5 }")),
+            ("beside the centre", around("@sphere = { center = [0.2,-0.1,0.25], radius = 0.45 }")),
+            ("two balls", around(two)),
+            ("a shield", around(shield)),
+            ("a box", around("@box = { origin = [-0.3,-0.2,-0.4], size = [0.5,0.6,0.7] }")),
+            ("a plate", around(plate)),
+        ],
+        &["two balls"],
+    );
+}
+
+/// From a ball of radius r all that is sent meets the sphere of radius R around it, which sees the ball by
+/// (r/R)² and itself by the rest, wherever the ball is if the sphere is even: the error falls with what is asked.
+#[test]
+fn concentric_spheres_see_each_other_as_exactly_as_asked() {
+    let scene = scene(
+        "@sphere = { center = [0,0,0], radius = 0.5 }\n@flip = true\nsphere = { center = [0,0,0], radius = 1 }\n",
+    );
+    for eps in [1e-2, 1e-4, 1e-6, 1e-8] {
+        let found = factors_of(&scene, Shadows::Auto, eps, eps);
+        for (from, to, exact) in [(0, 1, 1.0), (1, 0, 0.25), (1, 1, 0.75)] {
+            let off = (found.factor(from, to) - exact).abs();
+            assert!(off <= 3.0 * eps, "{eps:.0e}, {from} to {to}: off by {off:.1e}");
+        }
+        assert_eq!(found.rays, 0);
+    }
+}
+
+/// Random balls in a room: what walls send arrives at walls and balls.
+#[test]
+fn random_balls_hide_what_they_take() {
+    let place = prop::array::uniform3(-0.6..0.6f64);
+    let runner = &mut TestRunner::new(seeded(12, 60));
+    runner
+        .run(&(place, 0.05..0.38f64), |([x, y, z], radius)| {
+            let ball = format!("@sphere = {{ center = [{x},{y},{z}], radius = {radius} }}\n");
+            let room = "@box = { origin = [-1,-1,-1], size = [2,2,2], inward = true }\n";
+            let (open, rays) = openness(&scene(&format!("{room}{ball}")), 1, 1e-3);
+            prop_assert!(open < 1e-3 && rays == 0, "open by {open:.1e}, {rays} rays");
+            Ok(())
+        })
+        .expect("all that leaves arrives");
+}
