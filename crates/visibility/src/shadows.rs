@@ -12,7 +12,7 @@ const EXACT: f64 = 0.25;
 #[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
 #[serde(rename_all = "lowercase")]
 pub enum Shadows {
-    /// Planar surfaces behind planar ones by their outlines, all else by rays
+    /// Shadows of planar surfaces and balls, on planar ones and within spheres, by outlines, all else by rays
     #[default]
     Auto,
     /// Nothing hides anything

@@ -14,6 +14,9 @@
 //! points per direction errs like n⁻². Hence W is integrated over exactly q(x) (`part`, `line`), and the
 //! kinks of W are found by comparing rules on p.
 //!
+//! Of an inner element on a sphere, over a rectangle of longitude and latitude, q(x) is known without a search
+//! (`zone_part`).
+//!
 //! κ vanishes linearly at a horizon. Where a horizon starts to leave q, what it cuts off is ∫₀ˢ t dt: W has a
 //! kink of about second order, max(0, s)², at which n points err like n⁻³. If all q lie in one plane they
 //! share one horizon, which leaves all of them at once: W ∝ max(0, h₂(x)) has a kink of first order, and

@@ -15,6 +15,8 @@
 //! * a part with itself: convex → nothing, concave → [`radiosity_kernel::rules::identical`], else its halves
 //!   with themselves and with each other;
 //! * a constant kernel (two parts of the inside of one sphere) → κ ∫ φ_k dA ∫ φ_l dA, exact;
+//! * all of an element on a sphere at once, where its sectors are apart by a tenth of their extents, and by H/4
+//!   of the other part → [`radiosity_kernel::rules::horizon`];
 //! * apart, g ≥ H/4 → a tensor rule, or [`radiosity_kernel::rules::horizon`] where a horizon may cut the
 //!   pair;
 //! * touching → cut or halved until a rule covers the contact ([`radiosity_kernel::contact::patches`]), then
