@@ -114,6 +114,21 @@ fn concentric_spheres_see_each_other_as_exactly_as_asked() {
     }
 }
 
+/// A plate through a sphere parts it: of even light a share f² + (1 − f)² stays, f the share of its area above. What
+/// sticks out hides nothing more.
+#[test]
+fn a_plate_through_a_sphere_parts_it() {
+    let scene = scene(
+        "@parallelogram = { origin = [-1,-1,0], edge1 = [2,0,0], edge2 = [0,2,0] }\n\
+         @flip = true\nsphere = { center = [0,0,0.1], radius = 0.4 }\n",
+    );
+    let found = factors_of(&scene, Shadows::Auto, 1e-3, 1e-3);
+    let above = 0.5 / 0.8f64;
+    let exact = above * above + (1.0 - above) * (1.0 - above);
+    let off = (found.factor(1, 1) - exact).abs();
+    assert!(off < 2e-3, "off by {off:.1e}");
+}
+
 /// Random balls in a room: what walls send arrives at walls and balls.
 #[test]
 fn random_balls_hide_what_they_take() {

@@ -146,8 +146,8 @@ impl Schedule<'_> {
     }
 
     /// Whether shadows are found by outlines: all blockers are planar, or balls outside which both elements
-    /// lie, at least one element is planar or both lie on the inside of one sphere, and neither hides part of
-    /// itself (its light would be taken off twice).
+    /// lie, at least one element is planar or both lie on the inside of one sphere that holds all blockers, and
+    /// neither hides part of itself (its light would be taken off twice).
     pub(super) fn has_outlines(&self, task: &Task) -> bool {
         let elements = task.pair().map(|index| &self.list[index]);
         let is_outside = |blocker: &usize| {
@@ -156,9 +156,15 @@ impl Schedule<'_> {
                 elements.iter().all(|element| lies_outside(element, center, radius))
             })
         };
+        // Beyond a sphere what sticks out of it hides nothing of it.
+        let are_within = || {
+            let sphere = elements[0].surface;
+            task.blockers.iter().all(|blocker| self.visibility.encloses(sphere, *blocker))
+        };
         task.own.is_empty()
             && self.visibility.has_outlines(&task.blockers)
-            && (elements.iter().any(|element| element.plane.is_some()) || share_sphere(elements))
+            && (elements.iter().any(|element| element.plane.is_some())
+                || are_within() && share_sphere(elements))
             && task.blockers.iter().all(is_outside)
     }
 
