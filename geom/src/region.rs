@@ -4,20 +4,23 @@
 //! unit vector, so that the outline runs counter-clockwise about it. Holes are stored clockwise: the region
 //! lies to the left of every edge.
 
+mod places;
+mod ring;
 mod rings;
 mod pieces;
 
 use crate::tolerances::{LOOSE, NO_AREA, PLANARITY, ROUNDING, ROUNDINGS_OF_PLANE};
 use crate::{Hit, Motion, ShapeError, coordinate_rounding, intersection};
 use glam::{DVec2, DVec3};
+use rings::Rings;
 
 /// A polygon with holes in a plane.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PlanarRegion {
     outer: Vec<DVec3>,
     holes: Vec<Vec<DVec3>>,
-    /// Outline and holes in plane coordinates, the outline first.
-    flat: Vec<Vec<DVec2>>,
+    /// Outline and holes in plane coordinates.
+    flat: Rings,
     axes: [DVec3; 2],
     normal: DVec3,
     area: f64,
@@ -48,14 +51,15 @@ impl PlanarRegion {
         let axes = axes_of(&rings[0], normal);
         let mut flat: Vec<Vec<DVec2>> = rings.iter().map(|ring| flatten(ring, rings[0][0], axes)).collect();
         for k in 1..flat.len() {
-            if rings::signed_area(&flat[k]) > 0.0 {
+            if ring::signed_area(&flat[k]) > 0.0 {
                 flat[k].reverse();
                 rings[k].reverse();
             }
         }
-        rings::check(&flat, &names, extent)?;
+        let flat = Rings::new(flat);
+        flat.check(&names, extent)?;
         let pieces = pieces::of(&flat, &rings, &names)?;
-        let area = flat.iter().map(|ring| rings::signed_area(ring)).sum();
+        let area = flat.area();
         let holes = rings.split_off(1);
         let outer = rings.remove(0);
         Ok(PlanarRegion { outer, holes, flat, axes, normal, area, extent, pieces })
@@ -137,13 +141,12 @@ impl PlanarRegion {
 
     /// Whether the plane coordinates `at` lie in the region or within 1e-9 of its boundary.
     pub(crate) fn covers(&self, at: DVec2) -> bool {
-        let inside = self.flat.iter().filter(|ring| rings::encloses(ring, at)).count() == 1;
-        inside || self.flat.iter().any(|ring| rings::distance(ring, at) <= Hit::SEAM * self.extent)
+        self.flat.covers(at, Hit::SEAM * self.extent)
     }
 
     /// The outline in plane coordinates.
     pub(crate) fn flat_outline(&self) -> &[DVec2] {
-        &self.flat[0]
+        self.flat.outline().points()
     }
 
     /// The region cut into few, well-shaped convex polygons of three or four of the given vertices each,
@@ -169,9 +172,10 @@ impl PlanarRegion {
         let mut outer: Vec<DVec3> = self.outer.iter().rev().copied().collect();
         outer.rotate_right(1);
         let axes = [self.axes[0], -self.axes[1]];
-        let mirrored = |ring: &Vec<DVec2>| ring.iter().rev().map(|p| DVec2::new(p.x, -p.y)).collect();
-        let mut flat: Vec<Vec<DVec2>> = self.flat.iter().map(mirrored).collect();
+        let mirrored = |ring: &[DVec2]| ring.iter().rev().map(|p| DVec2::new(p.x, -p.y)).collect();
+        let mut flat: Vec<Vec<DVec2>> = self.flat.points().map(mirrored).collect();
         flat[0].rotate_right(1);
+        let flat = Rings::new(flat);
         PlanarRegion {
             outer,
             holes: reversed(&self.holes),
@@ -191,7 +195,7 @@ impl PlanarRegion {
         PlanarRegion {
             outer: ring(&self.outer),
             holes: rings(&self.holes),
-            flat: self.flat.iter().map(|r| r.iter().map(|p| scale * *p).collect()).collect(),
+            flat: self.flat.map(|ring| ring.iter().map(|p| scale * *p).collect()),
             axes: self.axes.map(|axis| motion.direction(axis)),
             normal: motion.direction(self.normal),
             area: scale * scale * self.area,
@@ -230,7 +234,7 @@ fn plane_of(outer: &[DVec3]) -> Result<(DVec3, f64), ShapeError> {
     let extent = outer.iter().map(|x| x.distance(outer[0])).fold(0.0, f64::max);
     if twice.length() <= NO_AREA * extent * extent {
         // A symmetric bow tie has no net area; its crossing is the better message.
-        return Err(rings::bow_tie(outer).unwrap_or(ShapeError::NoArea { field: ring_name(0) }));
+        return Err(ring::bow_tie(outer).unwrap_or(ShapeError::NoArea { field: ring_name(0) }));
     }
     Ok((twice.normalize(), extent))
 }

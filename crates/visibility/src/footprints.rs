@@ -39,15 +39,27 @@ pub fn footprints(scene: &Scene) -> Vec<Footprint> {
 /// The shapes of all surfaces of a scene, without their footprints.
 pub fn bare_shapes(scene: &Scene) -> Vec<Arc<dyn Surface>> {
     let mut shapes: Vec<Arc<dyn Surface>> = scene.surfaces.iter().map(|s| Arc::clone(&s.shape)).collect();
-    for Footprint { surface, region, .. } in footprints(scene) {
-        let hole = vec![region.outer().to_vec()];
-        let cut = Trimmed::new(Box::new(Arc::clone(&shapes[surface])), hole);
-        // A footprint stays if it does not fit beside the holes, or if it is the last uncovered part.
-        if let Some(cut) = cut.ok().filter(|cut| cut.area() > LEFT_BESIDE_FOOTPRINTS * region.area()) {
-            shapes[surface] = Arc::new(cut);
-        }
+    for own in footprints(scene).chunk_by(|a, b| a.surface == b.surface) {
+        cut_out(&mut shapes[own[0].surface], own);
     }
     shapes
+}
+
+/// Cuts footprints out of the shape of their surface. Each stays that does not fit beside the holes and those
+/// before it, or that is the last uncovered part. All are tried at once, then the halves: what fits together
+/// fits one by one.
+fn cut_out(shape: &mut Arc<dyn Surface>, footprints: &[Footprint]) {
+    check_interrupt();
+    let holes = footprints.iter().rev().map(|footprint| footprint.region.outer().to_vec()).collect();
+    let largest = footprints.iter().map(|footprint| footprint.region.area()).fold(0.0, f64::max);
+    let cut = Trimmed::new(Box::new(Arc::clone(shape)), holes).ok();
+    if let Some(cut) = cut.filter(|cut| cut.area() > LEFT_BESIDE_FOOTPRINTS * largest) {
+        *shape = Arc::new(cut);
+    } else if footprints.len() > 1 {
+        let (first, second) = footprints.split_at(footprints.len() / 2);
+        cut_out(shape, first);
+        cut_out(shape, second);
+    }
 }
 
 /// The faces, smaller than the whole, that lines of contact cut off from a planar surface.

@@ -5,7 +5,9 @@
 //! vertex of another ring is cut there, so that edges meet in common vertices only. Then pairs of neighbours
 //! that form a convex quadrilateral are merged, those with the largest least sine of a corner first.
 
-use super::rings::{encloses, signed_area, to_segment};
+use super::places::{Places, around};
+use super::ring::{signed_area, to_segment};
+use super::rings::Rings;
 use crate::ShapeError;
 use crate::tolerances::{COINCIDENT, ROUNDING_OF_AREAS};
 use glam::{DVec2, DVec3};
@@ -34,14 +36,14 @@ struct InnerEdge {
     right: usize,
 }
 
-/// The convex pieces of the region bounded by `flat` (outline, then holes), with the vertices `rings` in
-/// space.
+/// The convex pieces of the region that the rings `flat` bound, whose vertices in space are those of `rings`.
 pub(super) fn of(
-    flat: &[Vec<DVec2>],
+    flat: &Rings,
     rings: &[Vec<DVec3>],
     names: &[String],
 ) -> Result<Vec<Vec<DVec3>>, ShapeError> {
-    if flat.len() == 1 && flat[0].len() <= 4 && least_sine(&flat[0]) > 0.0 {
+    let outline = flat.outline().points();
+    if rings.len() == 1 && outline.len() <= 4 && least_sine(outline) > 0.0 {
         return Ok(vec![rings[0].clone()]);
     }
     let Some(mesh) = triangulate(flat) else {
@@ -54,20 +56,22 @@ pub(super) fn of(
 }
 
 /// The constrained Delaunay triangulation of the region; `None` where it does not cover the region.
-fn triangulate(flat: &[Vec<DVec2>]) -> Option<Mesh> {
-    let points: Vec<DVec2> = flat.iter().flatten().copied().collect();
+fn triangulate(rings: &Rings) -> Option<Mesh> {
+    let points: Vec<DVec2> = rings.points().flatten().copied().collect();
     let extent = points.iter().map(|p| p.distance(points[0])).fold(0.0, f64::max);
     let tolerance = COINCIDENT * extent;
     let corners = corners(&points, tolerance);
     let vertices = vertices(&points, &corners, tolerance);
-    let constraints = edges(flat, &corners).flat_map(|edge| cut(edge, &points, &vertices, tolerance));
-    let places: Vec<DVec2> = vertices.iter().map(|k| (points[*k] - points[0]) / extent).collect();
-    let triangles = delaunay(&places, constraints.collect())?;
-    let expected: f64 = flat.iter().map(|ring| signed_area(ring)).sum();
+    let places = Places::new(vertices.iter().map(|k| around([points[*k]])));
+    let stops = |edge| cut(edge, &points, &vertices, &places, tolerance);
+    let constraints = edges(rings, &corners).flat_map(stops).collect();
+    let at: Vec<DVec2> = vertices.iter().map(|k| (points[*k] - points[0]) / extent).collect();
+    let triangles = delaunay(&at, constraints)?;
+    let expected = rings.area();
     let mut mesh = Mesh { points, triangles: Vec::new() };
     for triangle in triangles.into_iter().map(|t| t.map(|k| vertices[k])) {
         // Triangles that rounding opens between touching edges have no area.
-        if mesh.area(&triangle) > 1e-12 * expected && mesh.lies_in(&triangle, flat) {
+        if mesh.area(&triangle) > 1e-12 * expected && rings.enclose(mesh.middle(&triangle)) {
             mesh.triangles.push(triangle);
         }
     }
@@ -99,22 +103,35 @@ fn vertices(points: &[DVec2], corners: &[usize], tolerance: f64) -> Vec<usize> {
 
 /// For each point the first point that coincides with it, or itself.
 fn corners(points: &[DVec2], tolerance: f64) -> Vec<usize> {
-    let first = |k: usize| (0..k).find(|j| points[*j].distance(points[k]) <= tolerance).unwrap_or(k);
+    let places = Places::new(points.iter().map(|point| around([*point])));
+    let first = |k: usize| {
+        let near = places.near(&around([points[k]]).inflate(tolerance)).into_iter();
+        near.take_while(|j| *j < k).find(|j| points[*j].distance(points[k]) <= tolerance).unwrap_or(k)
+    };
     (0..points.len()).map(first).collect()
 }
 
 /// The edges of all rings between corners.
-fn edges<'a>(flat: &'a [Vec<DVec2>], corners: &'a [usize]) -> impl Iterator<Item = [usize; 2]> + 'a {
-    let starts = flat.iter().scan(0, |start, ring| Some(std::mem::replace(start, *start + ring.len())));
-    let ring = |(start, n): (usize, usize)| (0..n).map(move |k| [start + k, start + (k + 1) % n]);
-    starts.zip(flat.iter().map(Vec::len)).flat_map(ring).map(|edge| edge.map(|k| corners[k]))
+fn edges<'a>(rings: &'a Rings, corners: &'a [usize]) -> impl Iterator<Item = [usize; 2]> + 'a {
+    let ring = |start: &mut usize, n: usize| Some((std::mem::replace(start, *start + n), n));
+    let starts = rings.points().map(<[DVec2]>::len).scan(0, ring);
+    let of_ring = |(start, n): (usize, usize)| (0..n).map(move |k| [start + k, start + (k + 1) % n]);
+    starts.flat_map(of_ring).map(|edge| edge.map(|k| corners[k]))
 }
 
-/// The parts of an edge between the vertices that it passes through, in order, as indices of vertices.
-fn cut([from, to]: [usize; 2], points: &[DVec2], vertices: &[usize], tolerance: f64) -> Vec<[usize; 2]> {
+/// The parts of an edge between the vertices that it passes through, in order, as indices of vertices, which
+/// are found at `places`.
+fn cut(
+    [from, to]: [usize; 2],
+    points: &[DVec2],
+    vertices: &[usize],
+    places: &Places,
+    tolerance: f64,
+) -> Vec<[usize; 2]> {
     let (p, q) = (points[from], points[to]);
-    let on = |k: &usize| *k == from || *k == to || to_segment(points[*k], [p, q]) <= tolerance;
-    let mut stops: Vec<usize> = (0..vertices.len()).filter(|at| on(&vertices[*at])).collect();
+    let on = |k: usize| k == from || k == to || to_segment(points[k], [p, q]) <= tolerance;
+    let mut stops = places.near(&around([p, q]).inflate(tolerance));
+    stops.retain(|at| on(vertices[*at]));
     stops.sort_by(|a, b| points[vertices[*a]].distance(p).total_cmp(&points[vertices[*b]].distance(p)));
     stops.windows(2).map(|part| [part[0], part[1]]).collect()
 }
@@ -124,10 +141,9 @@ impl Mesh {
         signed_area(&t.map(|k| self.points[k]))
     }
 
-    /// Whether the middle of the triangle is inside the outline and outside the holes.
-    fn lies_in(&self, t: &[usize; 3], flat: &[Vec<DVec2>]) -> bool {
-        let middle = t.iter().map(|k| self.points[*k]).sum::<DVec2>() / 3.0;
-        encloses(&flat[0], middle) && !flat[1..].iter().any(|hole| encloses(hole, middle))
+    /// The centroid of a triangle.
+    fn middle(&self, t: &[usize; 3]) -> DVec2 {
+        t.iter().map(|k| self.points[*k]).sum::<DVec2>() / 3.0
     }
 
     /// The edges between two triangles, each once, in a fixed order.
