@@ -12,6 +12,7 @@ mod pieces;
 use crate::tolerances::{LOOSE, NO_AREA, PLANARITY, ROUNDING, ROUNDINGS_OF_PLANE};
 use crate::{Hit, Motion, ShapeError, coordinate_rounding, intersection};
 use glam::{DVec2, DVec3};
+use pieces::Pieces;
 use rings::Rings;
 
 /// A polygon with holes in a plane.
@@ -25,7 +26,7 @@ pub struct PlanarRegion {
     normal: DVec3,
     area: f64,
     extent: f64,
-    pieces: Vec<Vec<DVec3>>,
+    pieces: Pieces,
 }
 
 impl PlanarRegion {
@@ -49,7 +50,8 @@ impl PlanarRegion {
             check_planar(ring, rings[0][0], normal, extent, name)?;
         }
         let axes = axes_of(&rings[0], normal);
-        let mut flat: Vec<Vec<DVec2>> = rings.iter().map(|ring| flatten(ring, rings[0][0], axes)).collect();
+        let mut flat: Vec<Vec<DVec2>> =
+            rings.iter().map(|ring| ring.iter().map(|x| in_plane(*x, rings[0][0], axes)).collect()).collect();
         for k in 1..flat.len() {
             if ring::signed_area(&flat[k]) > 0.0 {
                 flat[k].reverse();
@@ -58,7 +60,8 @@ impl PlanarRegion {
         }
         let flat = Rings::new(flat);
         flat.check(&names, extent)?;
-        let pieces = pieces::of(&flat, &rings, &names)?;
+        let origin = rings[0][0];
+        let pieces = Pieces::new(pieces::of(&flat, &rings, &names)?, |x| in_plane(x, origin, axes));
         let area = flat.area();
         let holes = rings.split_off(1);
         let outer = rings.remove(0);
@@ -129,8 +132,7 @@ impl PlanarRegion {
     /// Coordinates of the foot of `point` on the plane, along [`PlanarRegion::axes`] from
     /// [`PlanarRegion::origin`].
     pub fn to_plane(&self, point: DVec3) -> DVec2 {
-        let d = point - self.origin();
-        DVec2::new(d.dot(self.axes[0]), d.dot(self.axes[1]))
+        in_plane(point, self.origin(), self.axes)
     }
 
     /// Whether `point` lies in the region: in its plane within 1e-6 of the extent, and inside or within 1e-9
@@ -153,13 +155,18 @@ impl PlanarRegion {
     /// counter-clockwise about the normal. Together they cover the region exactly. A convex outline of three
     /// or four vertices is one piece.
     pub fn convex_pieces(&self) -> &[Vec<DVec3>] {
-        &self.pieces
+        self.pieces.list()
     }
 
     /// The parts of its convex pieces over those of another region, seen along that region's normal.
     pub fn common_parts<'a>(&'a self, other: &'a PlanarRegion) -> impl Iterator<Item = Vec<DVec3>> + 'a {
-        let (ours, theirs) = (self.convex_pieces(), other.convex_pieces());
-        let pairs = ours.iter().flat_map(|our| theirs.iter().map(move |their| (our, their)));
+        let tilt = self.normal.dot(other.normal);
+        let foot = move |x: &DVec3| self.to_plane(*x - self.height(*x) / tilt * other.normal);
+        let ours = self.pieces.near(other.outer.iter().map(foot));
+        let pairs = ours.flat_map(move |our| {
+            let theirs = other.pieces.near(our.iter().map(|x| other.to_plane(*x)));
+            theirs.map(move |their| (our, their))
+        });
         pairs.map(|(our, their)| intersection(our, their, other.normal())).filter(|part| part.len() > 2)
     }
 
@@ -176,13 +183,14 @@ impl PlanarRegion {
         let mut flat: Vec<Vec<DVec2>> = self.flat.points().map(mirrored).collect();
         flat[0].rotate_right(1);
         let flat = Rings::new(flat);
+        let origin = outer[0];
         PlanarRegion {
             outer,
             holes: reversed(&self.holes),
             flat,
             axes,
             normal: -self.normal,
-            pieces: reversed(&self.pieces),
+            pieces: Pieces::new(reversed(self.pieces.list()), |x| in_plane(x, origin, axes)),
             ..*self
         }
     }
@@ -192,15 +200,17 @@ impl PlanarRegion {
         let ring = |ring: &[DVec3]| -> Vec<DVec3> { ring.iter().map(|x| motion.point(*x)).collect() };
         let rings = |rings: &[Vec<DVec3>]| rings.iter().map(|r| ring(r)).collect();
         let scale = motion.scale();
+        let outer = ring(&self.outer);
+        let (origin, axes) = (outer[0], self.axes.map(|axis| motion.direction(axis)));
         PlanarRegion {
-            outer: ring(&self.outer),
+            outer,
             holes: rings(&self.holes),
             flat: self.flat.map(|ring| ring.iter().map(|p| scale * *p).collect()),
-            axes: self.axes.map(|axis| motion.direction(axis)),
+            axes,
             normal: motion.direction(self.normal),
             area: scale * scale * self.area,
             extent: scale * self.extent,
-            pieces: rings(&self.pieces),
+            pieces: Pieces::new(rings(self.pieces.list()), |x| in_plane(x, origin, axes)),
         }
     }
 }
@@ -262,10 +272,10 @@ fn axes_of(outer: &[DVec3], normal: DVec3) -> [DVec3; 2] {
     [first, normal.cross(first)]
 }
 
-/// Plane coordinates of a ring.
-fn flatten(ring: &[DVec3], origin: DVec3, axes: [DVec3; 2]) -> Vec<DVec2> {
-    let to_plane = |x: &DVec3| DVec2::new((*x - origin).dot(axes[0]), (*x - origin).dot(axes[1]));
-    ring.iter().map(to_plane).collect()
+/// Plane coordinates of a point.
+fn in_plane(point: DVec3, origin: DVec3, axes: [DVec3; 2]) -> DVec2 {
+    let d = point - origin;
+    DVec2::new(d.dot(axes[0]), d.dot(axes[1]))
 }
 
 #[cfg(test)]

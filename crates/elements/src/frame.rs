@@ -5,7 +5,7 @@
 //! any aspect is as good as a shape of aspect 1, since the space of polynomials of total degree ≤ N is the
 //! same in all affine coordinates.
 
-use radiosity_geom::{DVec2, DVec3};
+use radiosity_geom::{DVec2, DVec3, extreme_points};
 
 use super::patch::Node;
 
@@ -51,7 +51,9 @@ impl Frame {
     /// The rectangle around coplanar `points` along the longest distance between two of them; `normal` is
     /// perpendicular to their plane. The earliest of equal distances is taken.
     pub(crate) fn along_diameter(points: &[DVec3], normal: DVec3) -> Self {
-        let pairs = points.iter().enumerate().flat_map(|(k, p)| points[..k].iter().map(move |q| p - q));
+        let extreme = extreme_points(points, normal);
+        let ends: Vec<DVec3> = points.iter().filter(|x| extreme.contains(x)).copied().collect();
+        let pairs = ends.iter().enumerate().flat_map(|(k, p)| ends[..k].iter().map(move |q| p - q));
         let first = |best: DVec3, next: DVec3| {
             if next.length_squared() > (1.0 + 1e-12) * best.length_squared() { next } else { best }
         };

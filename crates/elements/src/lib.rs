@@ -34,12 +34,13 @@ mod discretization;
 mod resolution;
 pub mod sampling;
 
+use std::borrow::Cow;
 use std::ops::Range;
 use std::sync::Arc;
 
-use radiosity_geom::{DVec3, PlanarRegion, Rect, Surface, polygon_width, touching};
+use radiosity_geom::{Aabb, Bvh, DVec3, LOOSE, PlanarRegion, Rect, Surface, polygon_width, touching};
 use radiosity_scene::{Scene, SceneSurface};
-use radiosity_visibility::covered_parts::{self, CoveredPart, covered_parts};
+use radiosity_visibility::covered_parts::{CoveredPart, CoveredParts, without};
 use radiosity_visibility::footprints::bare_shapes;
 use radiosity_visibility::tolerances::NARROW_PIECE;
 use radiosity_work::interruption::check_interrupt;
@@ -78,8 +79,10 @@ struct Cells {
 struct SurfaceCut {
     shape: Arc<dyn Surface>,
     cells: Tree<Option<usize>>,
-    /// Elements of the covered parts.
+    /// Elements of the covered parts, ascending.
     covered: Vec<usize>,
+    /// The boxes around them.
+    places: Bvh,
 }
 
 impl Elements {
@@ -105,7 +108,14 @@ impl Elements {
     /// # Errors
     /// As for [`Elements::new`].
     pub fn moved(&self, scene: &Scene) -> Result<Self, ElementError> {
-        Self::cut(scene, &self.how, self.cells.clone(), bare_shapes(scene), &covered_parts(scene), Some(self))
+        Self::cut(
+            scene,
+            &self.how,
+            self.cells.clone(),
+            bare_shapes(scene),
+            &CoveredParts::new(scene),
+            Some(self),
+        )
     }
 
     fn cut_into(scene: &Scene, how: &Discretization, mesh: Option<Mesh>) -> Result<Self, ElementError> {
@@ -116,7 +126,7 @@ impl Elements {
         let is_refined = mesh.as_ref().is_some_and(|mesh| *mesh != usual);
         let mesh = mesh.unwrap_or(usual);
         let cells = Cells { mesh, is_refined };
-        Self::cut(scene, how, cells, bare_shapes(scene), &covered_parts(scene), None)
+        Self::cut(scene, how, cells, bare_shapes(scene), &CoveredParts::new(scene), None)
     }
 
     /// Cuts `shapes` into cells; elements of shapes that are those of `before`, and that
@@ -126,13 +136,14 @@ impl Elements {
         how: &Discretization,
         cells: Cells,
         shapes: Vec<Arc<dyn Surface>>,
-        covered_parts: &[CoveredPart],
+        covered_parts: &CoveredParts,
         before: Option<&Self>,
     ) -> Result<Self, ElementError> {
         let mut list = Vec::new();
         let mut surfaces = Vec::new();
         for (index, (surface, shape)) in scene.surfaces.iter().zip(shapes).enumerate() {
-            let is_bare = covered_parts::of_surface(covered_parts, index).next().is_none();
+            let own: Vec<&CoveredPart> = covered_parts.of_surface(index).collect();
+            let is_bare = own.is_empty();
             if let Some(copy) =
                 before.filter(|_| is_bare).and_then(|before| before.copied(index, &shape, &mut list))
             {
@@ -144,12 +155,13 @@ impl Elements {
             if order > HIGHEST_ORDER {
                 return Err(ElementError::Order { order });
             }
-            let own: Vec<&CoveredPart> = covered_parts::of_surface(covered_parts, index).collect();
-            let pieces = shape.region().map_or_else(Vec::new, |region| open_pieces(region, &own));
+            let pieces =
+                Pieces::new(shape.region().map_or_else(Vec::new, |region| open_pieces(region, &own)));
             let mut maker =
                 ElementMaker { index, surface, space: how.space, covered_parts: &own, list: &mut list };
             let elements = tree.map(&Rect::FULL, &mut |rect, order| {
                 check_interrupt();
+                let pieces = pieces.over(shape.as_ref(), rect);
                 maker.made(Part { shape: &shape, pieces: &pieces, rect: *rect, contact: None }, *order)
             })?;
             let mut covered = Vec::new();
@@ -157,7 +169,9 @@ impl Elements {
                 let part = Part { shape: &shape, pieces, rect: Rect::FULL, contact: Some(*contact) };
                 covered.extend(maker.made(part, order)?);
             }
-            surfaces.push(SurfaceCut { shape: Arc::clone(&shape), cells: elements, covered });
+            let places =
+                Bvh::build(&covered.iter().map(|index| around_cover(&list[*index])).collect::<Vec<_>>());
+            surfaces.push(SurfaceCut { shape: Arc::clone(&shape), cells: elements, covered, places });
         }
         Ok(Self { list, surfaces, how: *how, cells })
     }
@@ -179,7 +193,7 @@ impl Elements {
         let place = |element: &Option<usize>| element.map(|element| element - own.start + start);
         let cells = cut.cells.map::<_, ElementError>(&Rect::FULL, &mut |_, element| Ok(place(element)));
         let cells = cells.expect("nothing can fail");
-        Some(SurfaceCut { shape: Arc::clone(shape), cells, covered: Vec::new() })
+        Some(SurfaceCut { shape: Arc::clone(shape), cells, covered: Vec::new(), places: Bvh::build(&[]) })
     }
 
     /// The mesh, if it is another than follows from the discretization.
@@ -238,11 +252,12 @@ impl Elements {
     /// The element of the part on which another surface lies at the parameters (u, v).
     fn covered_at(&self, cut: &SurfaceCut, [u, v]: [f64; 2]) -> Option<usize> {
         let position = (!cut.covered.is_empty()).then(|| cut.shape.jet(u, v).position)?;
-        let holds = |index: &&usize| {
-            let element = &self.list[**index];
+        let holds = |index: &usize| {
+            let element = &self.list[*index];
             element.covers(position, touching(element.extent, 0.0))
         };
-        cut.covered.iter().find(holds).copied()
+        let near = cut.places.search(|bounds| bounds.contains(position)).map(|place| cut.covered[place]);
+        near.filter(holds).min()
     }
 
     /// Number of surfaces, those without elements included.
@@ -277,6 +292,36 @@ impl Elements {
     }
 }
 
+/// The box around the element of a covered part, and around all points that count as on it.
+fn around_cover(element: &Element) -> Aabb {
+    element.bounds().inflate(LOOSE * element.extent)
+}
+
+/// Convex pieces of a flat surface, which are found by place.
+struct Pieces {
+    list: Vec<Vec<DVec3>>,
+    /// The boxes around them.
+    places: Bvh,
+}
+
+impl Pieces {
+    fn new(list: Vec<Vec<DVec3>>) -> Self {
+        let bounds = |piece: &Vec<DVec3>| Aabb::around(piece.iter().copied());
+        let places = Bvh::build(&list.iter().map(bounds).collect::<Vec<_>>());
+        Self { list, places }
+    }
+
+    /// Those that may reach over the parameters `rect` of their surface, in order.
+    fn over(&self, shape: &dyn Surface, rect: &Rect) -> Cow<'_, [Vec<DVec3>]> {
+        if self.list.len() < 2 || *rect == Rect::FULL {
+            return Cow::Borrowed(&self.list);
+        }
+        let bounds = shape.bounds(rect);
+        let near = self.places.near(&bounds.inflate(touching(bounds.diagonal(), 0.0)));
+        Cow::Owned(near.into_iter().map(|piece| self.list[piece].clone()).collect())
+    }
+}
+
 /// Makes the elements of one surface.
 struct ElementMaker<'a> {
     index: usize,
@@ -306,7 +351,7 @@ impl ElementMaker<'_> {
 /// Convex pieces of a flat surface outside its `covered_parts`.
 fn open_pieces(region: &PlanarRegion, covered_parts: &[&CoveredPart]) -> Vec<Vec<DVec3>> {
     let whole = region.convex_pieces().to_vec();
-    let open = covered_parts::without(whole, covered_parts.iter().copied(), region.normal());
+    let open = without(whole, covered_parts.iter().copied(), region.normal());
     open.into_iter()
         .filter(|piece| covered_parts.is_empty() || polygon_width(piece) > NARROW_PIECE * region.extent())
         .collect()
@@ -335,11 +380,11 @@ pub struct CutSize {
 /// them.
 pub fn cut_sizes(scene: &Scene, how: &Discretization) -> Vec<CutSize> {
     let resolution = Resolution::new(scene, how);
-    let covered_parts = covered_parts(scene);
+    let covered_parts = CoveredParts::new(scene);
     let size = |(index, surface): (usize, &SceneSurface)| {
         let [along, across] =
             resolution.parts(index, surface).map(|parts| (parts + 2 * how.layers.count) as u64);
-        let covered = covered_parts::of_surface(&covered_parts, index).count() as u64;
+        let covered = covered_parts.of_surface(index).len() as u64;
         let functions = how.space.count(resolution.order(index, surface)) as u64;
         CutSize { elements: along * across + covered, functions }
     };
@@ -348,12 +393,12 @@ pub fn cut_sizes(scene: &Scene, how: &Discretization) -> Vec<CutSize> {
 
 /// Upper bounds of the elements of each surface of a mesh, and about the functions on each.
 pub fn mesh_sizes(scene: &Scene, how: &Discretization, mesh: &Mesh) -> Vec<CutSize> {
-    let covered_parts = covered_parts(scene);
+    let covered_parts = CoveredParts::new(scene);
     let size = |(index, tree): (usize, &Tree<usize>)| {
         let orders = tree.values();
         let squares: usize = orders.iter().map(|order| how.space.count(**order).pow(2)).sum();
         let functions = (squares as f64 / orders.len() as f64).sqrt().ceil() as u64;
-        let covered = covered_parts::of_surface(&covered_parts, index).count();
+        let covered = covered_parts.of_surface(index).len();
         CutSize { elements: (orders.len() + covered) as u64, functions }
     };
     mesh.surfaces().iter().enumerate().map(size).collect()

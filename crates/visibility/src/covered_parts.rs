@@ -10,16 +10,22 @@
 //! Of several sheets over a place the nearest covers it. A sheet that lies on another with its back covers it
 //! unseen.
 
+mod sequence;
+
 use std::cmp::Ordering;
+use std::collections::HashMap;
 
 use radiosity_fit::gap::closed;
 use radiosity_fit::tolerances::SHARED_AREA;
 use radiosity_geom::{
-    Aabb, Bvh, DVec3, PARALLEL_PLANES, PlanarRegion, difference, polygon_area, polygon_width, touching,
+    Aabb, Bvh, DVec3, PARALLEL_PLANES, PlanarRegion, ROUNDING, difference, polygon_area, polygon_width,
+    touching,
 };
 use radiosity_scene::Scene;
+use radiosity_work::interruption::check_interrupt;
 
 use crate::tolerances::NARROW_PIECE;
+use sequence::Sequence;
 
 /// A part of a flat surface on which another surface lies.
 #[derive(Clone, Debug)]
@@ -32,29 +38,37 @@ pub struct CoveredPart {
     pub contact: usize,
 }
 
-/// All covered parts of a scene, in the order of their contacts.
-pub fn covered_parts(scene: &Scene) -> Vec<CoveredPart> {
-    let mut found: Vec<CoveredPart> = Vec::new();
-    for (contact, SheetContact { under, over, mutual, .. }) in contacts(scene).into_iter().enumerate() {
-        let region = |surface: usize| scene.surfaces[surface].shape.region().expect("sheets are flat");
-        let pieces = region(under).common_parts(region(over)).collect();
-        let pieces = without(pieces, of_surface(&found, under), region(under).normal());
-        let pieces =
-            if mutual { without(pieces, of_surface(&found, over), region(over).normal()) } else { pieces };
-        let extent = region(under).extent().min(region(over).extent());
-        let pieces: Vec<Vec<DVec3>> =
-            pieces.into_iter().filter(|piece| polygon_width(piece) > NARROW_PIECE * extent).collect();
-        if area(&pieces) <= SHARED_AREA * region(under).area().min(region(over).area()) {
-            continue;
+/// The covered parts of a scene.
+#[derive(Clone, Debug)]
+pub struct CoveredParts {
+    list: Vec<CoveredPart>,
+    /// Places in the list of those of each surface, ascending.
+    of_surface: Vec<Vec<usize>>,
+}
+
+impl CoveredParts {
+    /// The covered parts of `scene`, in the order of their contacts.
+    pub fn new(scene: &Scene) -> Self {
+        let sheets = Sheets::of(scene);
+        let mut found = Finder { sheets: &sheets, list: Vec::new(), between: HashMap::new() };
+        for (number, contact) in sheets.contacts().iter().enumerate() {
+            check_interrupt();
+            found.add(number, contact);
         }
-        if mutual {
-            let onto = |x: &DVec3| x - region(over).height(*x) * region(over).normal();
-            let turned = |piece: &Vec<DVec3>| piece.iter().rev().map(onto).collect();
-            found.push(CoveredPart { surface: over, pieces: pieces.iter().map(turned).collect(), contact });
-        }
-        found.push(CoveredPart { surface: under, pieces, contact });
+        let mut of_surface = vec![Vec::new(); scene.surfaces.len()];
+        found.list.iter().enumerate().for_each(|(place, part)| of_surface[part.surface].push(place));
+        Self { list: found.list, of_surface }
     }
-    found
+
+    /// All of them.
+    pub fn list(&self) -> &[CoveredPart] {
+        &self.list
+    }
+
+    /// Those of one surface.
+    pub fn of_surface(&self, surface: usize) -> impl ExactSizeIterator<Item = &CoveredPart> {
+        self.of_surface[surface].iter().map(|place| &self.list[*place])
+    }
 }
 
 /// The parts of the convex `pieces` outside the `covered_parts` of their surface; `normal` is the unit normal
@@ -64,13 +78,30 @@ pub fn without<'a>(
     covered_parts: impl Iterator<Item = &'a CoveredPart>,
     normal: DVec3,
 ) -> Vec<Vec<DVec3>> {
-    let holes = covered_parts.flat_map(|cover| &cover.pieces);
-    holes.fold(pieces, |rest, hole| rest.iter().flat_map(|piece| difference(piece, hole, normal)).collect())
-}
-
-/// The `covered_parts` of one surface.
-pub fn of_surface(covered_parts: &[CoveredPart], surface: usize) -> impl Iterator<Item = &CoveredPart> {
-    covered_parts.iter().filter(move |cover| cover.surface == surface)
+    let holes: Vec<&[DVec3]> = covered_parts.flat_map(|part| &part.pieces).map(Vec::as_slice).collect();
+    if holes.is_empty() {
+        return pieces;
+    }
+    // Seen along the normal, so that a gap counts for nothing.
+    let outline = |polygon: &[DVec3]| Aabb::around(polygon.iter().map(|x| *x - x.dot(normal) * normal));
+    let places = Sequence::new(holes.iter().map(|hole| {
+        let bounds = outline(hole);
+        let far = bounds.min.abs().max(bounds.max.abs()).max_element();
+        bounds.inflate(ROUNDING * (bounds.diagonal() + far))
+    }));
+    let mut open = Vec::new();
+    // Pieces with the number of holes that are cut out of them already, the next to come last.
+    let mut stack: Vec<(Vec<DVec3>, usize)> = pieces.into_iter().rev().map(|piece| (piece, 0)).collect();
+    while let Some((piece, done)) = stack.pop() {
+        match places.first_overlapping(done, &outline(&piece)) {
+            Some(next) => {
+                let parts = difference(&piece, holes[next], normal).into_iter().rev();
+                stack.extend(parts.map(|part| (part, next + 1)));
+            }
+            None => open.push(piece),
+        }
+    }
+    open
 }
 
 /// Total area of disjoint pieces (scene length²).
@@ -90,40 +121,119 @@ struct SheetContact {
     gap: f64,
 }
 
-/// All contacts: first those whose fronts face each other, the closest first, then the others. If something
-/// between two sheets faces one of them, it is closer to that one than a sheet that covers without seeing.
-fn contacts(scene: &Scene) -> Vec<SheetContact> {
-    let sheets: Vec<(usize, &PlanarRegion)> = (scene.surfaces.iter().enumerate())
-        .filter_map(|(index, surface)| Some((index, surface.shape.region()?)))
-        .collect();
-    let bounds = |region: &PlanarRegion| Aabb::around(region.outer().iter().copied());
-    let boxes: Vec<Aabb> = sheets
-        .iter()
-        .map(|(_, region)| bounds(region).inflate(closed(region.extent(), region.extent())))
-        .collect();
-    let tree = Bvh::build(&boxes);
-    let mut found = Vec::new();
-    for (own, (under, region)) in sheets.iter().enumerate() {
-        tree.overlapping(&boxes[own], |place| {
-            let (over, other) = sheets[place];
-            let is_parallel = region.normal().cross(other.normal()).length() < PARALLEL_PLANES;
-            let mutual = region.normal().dot(other.normal()) < 0.0;
-            // A contact of two fronts is found once, from the larger surface.
-            let is_turned =
-                || (size(region), *under).partial_cmp(&(size(other), over)) == Some(Ordering::Less);
-            if *under == over || !is_parallel || mutual && is_turned() {
-                return;
-            }
-            let most = closed(region.extent(), other.extent());
-            if let Some(gap) = height_over(region, other).filter(|gap| *gap <= most) {
-                found.push(SheetContact { under: *under, over, mutual, gap });
-            }
-        });
+/// The flat surfaces of a scene.
+struct Sheets<'a> {
+    scene: &'a Scene,
+    /// Index of each surface.
+    list: Vec<usize>,
+    /// The boxes around them, so large that those of sheets on each other overlap.
+    boxes: Vec<Aabb>,
+    tree: Bvh,
+}
+
+impl<'a> Sheets<'a> {
+    fn of(scene: &'a Scene) -> Self {
+        let region = |index: &usize| scene.surfaces[*index].shape.region();
+        let list: Vec<usize> = (0..scene.surfaces.len()).filter(|index| region(index).is_some()).collect();
+        let bounds = |region: &PlanarRegion| {
+            Aabb::around(region.outer().iter().copied()).inflate(closed(region.extent(), region.extent()))
+        };
+        let boxes: Vec<Aabb> = list.iter().filter_map(region).map(bounds).collect();
+        let tree = Bvh::build(&boxes);
+        Self { scene, list, boxes, tree }
     }
-    found.sort_by(|a, b| {
-        b.mutual.cmp(&a.mutual).then(a.gap.total_cmp(&b.gap)).then((a.under, a.over).cmp(&(b.under, b.over)))
-    });
-    found
+
+    fn region(&self, surface: usize) -> &'a PlanarRegion {
+        self.scene.surfaces[surface].shape.region().expect("sheets are flat")
+    }
+
+    /// All contacts: first those whose fronts face each other, the closest first, then the others. If
+    /// something between two sheets faces one of them, it is closer to that one than a sheet that covers
+    /// without seeing.
+    fn contacts(&self) -> Vec<SheetContact> {
+        let mut found = Vec::new();
+        for (under, bounds) in self.list.iter().zip(&self.boxes) {
+            self.tree.overlapping(bounds, |place| found.extend(self.contact(*under, self.list[place])));
+        }
+        found.sort_by(|a, b| {
+            b.mutual
+                .cmp(&a.mutual)
+                .then(a.gap.total_cmp(&b.gap))
+                .then((a.under, a.over).cmp(&(b.under, b.over)))
+        });
+        found
+    }
+
+    /// The contact of a sheet with another that may lie on it.
+    fn contact(&self, under: usize, over: usize) -> Option<SheetContact> {
+        let [region, other] = [under, over].map(|surface| self.region(surface));
+        let is_parallel = region.normal().cross(other.normal()).length() < PARALLEL_PLANES;
+        let mutual = region.normal().dot(other.normal()) < 0.0;
+        // A contact of two fronts is found once, from the larger surface.
+        let is_turned = || (size(region), under).partial_cmp(&(size(other), over)) == Some(Ordering::Less);
+        if under == over || !is_parallel || mutual && is_turned() {
+            return None;
+        }
+        let most = closed(region.extent(), other.extent());
+        let gap = height_over(region, other).filter(|gap| *gap <= most)?;
+        Some(SheetContact { under, over, mutual, gap })
+    }
+
+    /// The surfaces that may lie on `pieces` of sheets that lie on each other, the larger of this extent.
+    fn near(&self, pieces: &[Vec<DVec3>], extent: f64) -> impl Iterator<Item = usize> {
+        // From one sheet to the other, and from there to a third.
+        let bounds = Aabb::around(pieces.iter().flatten().copied()).inflate(2.0 * closed(extent, extent));
+        self.tree.near(&bounds).into_iter().map(|place| self.list[place])
+    }
+}
+
+/// Covered parts while they are found.
+struct Finder<'a> {
+    sheets: &'a Sheets<'a>,
+    list: Vec<CoveredPart>,
+    /// Places in the list of the parts of a surface that another covers.
+    between: HashMap<[usize; 2], Vec<usize>>,
+}
+
+impl Finder<'_> {
+    /// Adds the parts that a contact covers and no contact before it.
+    fn add(&mut self, number: usize, contact: &SheetContact) {
+        let SheetContact { under, over, mutual, .. } = *contact;
+        let [lower, upper] = [under, over].map(|surface| self.sheets.region(surface));
+        let pieces = lower.common_parts(upper).collect();
+        let larger = lower.extent().max(upper.extent());
+        let pieces = self.open(pieces, under, larger);
+        let pieces = if mutual { self.open(pieces, over, larger) } else { pieces };
+        let extent = lower.extent().min(upper.extent());
+        let is_broad = |piece: &Vec<DVec3>| polygon_width(piece) > NARROW_PIECE * extent;
+        let pieces: Vec<Vec<DVec3>> = pieces.into_iter().filter(is_broad).collect();
+        if area(&pieces) <= SHARED_AREA * lower.area().min(upper.area()) {
+            return;
+        }
+        if mutual {
+            let onto = |x: &DVec3| x - upper.height(*x) * upper.normal();
+            let turned = |piece: &Vec<DVec3>| piece.iter().rev().map(onto).collect();
+            self.push([over, under], pieces.iter().map(turned).collect(), number);
+        }
+        self.push([under, over], pieces, number);
+    }
+
+    /// The parts of `pieces` outside what is covered of a surface already; the larger of the sheets of a
+    /// contact is of this extent.
+    fn open(&self, pieces: Vec<Vec<DVec3>>, surface: usize, extent: f64) -> Vec<Vec<DVec3>> {
+        let near = self.sheets.near(&pieces, extent);
+        let mut places: Vec<usize> =
+            near.filter_map(|other| self.between.get(&[surface, other])).flatten().copied().collect();
+        places.sort_unstable();
+        let covered_parts = places.into_iter().map(|place| &self.list[place]);
+        without(pieces, covered_parts, self.sheets.region(surface).normal())
+    }
+
+    /// Appends what the second surface covers of the first.
+    fn push(&mut self, [surface, other]: [usize; 2], pieces: Vec<Vec<DVec3>>, contact: usize) {
+        self.between.entry([surface, other]).or_default().push(self.list.len());
+        self.list.push(CoveredPart { surface, pieces, contact });
+    }
 }
 
 /// Area and mean corner, which order two sheets independently of their places in the list.

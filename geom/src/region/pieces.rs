@@ -19,6 +19,40 @@ use std::collections::BTreeMap;
 /// meet charts that nearly collapse.
 const LEAST_SINE: f64 = 0.02;
 
+/// The convex pieces of a region, which are found by place.
+#[derive(Clone, Debug)]
+pub(super) struct Pieces {
+    list: Vec<Vec<DVec3>>,
+    /// Their places in the coordinates of the plane.
+    places: Places,
+}
+
+impl PartialEq for Pieces {
+    fn eq(&self, other: &Self) -> bool {
+        self.list == other.list
+    }
+}
+
+impl Pieces {
+    /// Pieces of a plane with the coordinates `to_plane`.
+    pub(super) fn new(list: Vec<Vec<DVec3>>, to_plane: impl Fn(DVec3) -> DVec2) -> Self {
+        let places = Places::new(list.iter().map(|piece| around(piece.iter().map(|x| to_plane(*x)))));
+        Self { list, places }
+    }
+
+    pub(super) fn list(&self) -> &[Vec<DVec3>] {
+        &self.list
+    }
+
+    /// The pieces that reach into the box around points of the plane, and of few all, in order.
+    pub(super) fn near<'a, P: IntoIterator<Item = DVec2>>(
+        &'a self,
+        points: P,
+    ) -> impl Iterator<Item = &'a [DVec3]> + use<'a, P> {
+        self.places.near(&around(points)).into_iter().map(|piece| &self.list[piece][..])
+    }
+}
+
 /// A triangulation: indices into `points`, counter-clockwise.
 struct Mesh {
     points: Vec<DVec2>,

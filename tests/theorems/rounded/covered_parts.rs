@@ -3,7 +3,7 @@
 use proptest::prelude::*;
 use radiosity::scene::Scene;
 use radiosity::solve::{Direct, Options, Transport};
-use radiosity::visibility::covered_parts::covered_parts;
+use radiosity::visibility::covered_parts::CoveredParts;
 use radiosity_geom::polygon_area;
 use radiosity_test_support::solved::usual_factors as factors;
 use radiosity_test_support::solved::{elements_of, outcome_of};
@@ -114,7 +114,7 @@ proptest! {
             let sum: f64 = elements.of_surface(index).map(|k| elements.list()[k].area).sum();
             prop_assert!((sum / whole - 1.0).abs() < 1e-6, "{}: {sum} of {whole}", surface.name);
         }
-        for cover in covered_parts(&scene) {
+        for cover in CoveredParts::new(&scene).list() {
             let area: f64 = cover.pieces.iter().map(|piece| polygon_area(piece)).sum();
             prop_assert!(area > 0.0);
         }

@@ -17,7 +17,7 @@ use std::collections::HashMap;
 
 use radiosity_geom::{DVec3, NO_AREA, PlanarRegion, Surface};
 use radiosity_scene::{Scene, SceneSurface};
-use radiosity_visibility::covered_parts::{self, CoveredPart, covered_parts};
+use radiosity_visibility::covered_parts::{CoveredPart, CoveredParts, without};
 use radiosity_work::interruption::check_interrupt;
 use rayon::prelude::*;
 
@@ -39,13 +39,13 @@ pub struct Triangulation {
 
 /// The triangles of all surfaces of `scene`; curved surfaces are met within `tolerance` (scene length).
 pub fn tessellation(scene: &Scene, tolerance: f64) -> Vec<Triangulation> {
-    let covered_parts = covered_parts(scene);
+    let covered_parts = CoveredParts::new(scene);
     let surface = |(index, surface): (usize, &SceneSurface)| {
         check_interrupt();
         let shape = surface.shape.as_ref();
         let facets = match shape.region() {
             Some(region) => {
-                let own: Vec<&CoveredPart> = covered_parts::of_surface(&covered_parts, index).collect();
+                let own: Vec<&CoveredPart> = covered_parts.of_surface(index).collect();
                 flat::facets(shape, open_pieces(region, &own), tolerance)
             }
             None => curved::facets(shape, tolerance),
@@ -66,11 +66,7 @@ fn open_pieces(region: &PlanarRegion, covered_parts: &[&CoveredPart]) -> Vec<Vec
     match PlanarRegion::new(region.outer().to_vec(), holes) {
         Ok(open) => open.convex_pieces().to_vec(),
         // Covered parts that reach the border, or lie beside each other, are no holes.
-        Err(_) => covered_parts::without(
-            region.convex_pieces().to_vec(),
-            covered_parts.iter().copied(),
-            region.normal(),
-        ),
+        Err(_) => without(region.convex_pieces().to_vec(), covered_parts.iter().copied(), region.normal()),
     }
 }
 
