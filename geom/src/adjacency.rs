@@ -71,15 +71,18 @@ fn shares_area(first: &Patch, second: &Patch, tolerance: f64) -> bool {
     if let (Patch::Flat(a), Patch::Flat(b)) = (first, second) {
         return share_plane_area(a, b, tolerance);
     }
-    let shared = |a: &Patch, b: &Patch| {
+    let shares = |a: &Patch, b: &Patch| {
+        let around = b.bounds().inflate(tolerance);
         let on = |(x, normal): &(DVec3, DVec3)| {
-            let (foot, other) = b.foot(*x);
-            foot.distance(*x) <= tolerance && normal.dot(other).abs() > 1.0 - 1e-6
+            around.contains(*x) && {
+                let (foot, other) = b.foot(*x);
+                foot.distance(*x) <= tolerance && normal.dot(other).abs() > 1.0 - 1e-6
+            }
         };
-        a.inner_samples().into_iter().filter(on).count()
+        // A single point may be where one surface rests on the other.
+        a.inner_samples().into_iter().filter(on).nth(1).is_some()
     };
-    // A single point may be where one surface rests on the other.
-    shared(first, second) > 1 || shared(second, first) > 1
+    shares(first, second) || shares(second, first)
 }
 
 /// Whether two planar regions share area: one lies in the plane of the other, and their convex pieces share
@@ -154,7 +157,9 @@ fn lies_on(border: &Border, other: &Patch, others: &[Border], tolerance: f64) ->
 }
 
 fn is_on(x: DVec3, patch: &Patch, tolerance: f64) -> bool {
-    patch.foot(x).0.distance(x) <= tolerance
+    // A foot on a curved patch is dear.
+    let is_near = matches!(patch, Patch::Flat(_)) || patch.bounds().inflate(tolerance).contains(x);
+    is_near && patch.foot(x).0.distance(x) <= tolerance
 }
 
 /// Whether a stretch of the segment from `p` to `q` lies in `region`.

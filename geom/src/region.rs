@@ -432,7 +432,72 @@ mod tests {
         }
     }
 
+    /// A square of `side`² cells of breadth 2 with a hole in each: the diamond |x| + |y| ≤ its radius about
+    /// the middle.
+    fn sieve(side: usize, radii: &[f64]) -> Result<PlanarRegion, ShapeError> {
+        let middle = |k: usize| [k % side, k / side].map(|place| 2.0 * place as f64 + 1.0);
+        let hole = |(k, r): (usize, &f64)| {
+            let [x, y] = middle(k);
+            flat(&[(x - r, y), (x, y - r), (x + r, y), (x, y + r)])
+        };
+        let breadth = 2.0 * side as f64;
+        let outer = flat(&[(0.0, 0.0), (breadth, 0.0), (breadth, breadth), (0.0, breadth)]);
+        PlanarRegion::new(outer, radii.iter().enumerate().map(hole).collect())
+    }
+
+    #[test]
+    fn overlapping_holes_among_many_are_named() {
+        let mut radii = vec![0.9; 100];
+        radii[57] = 1.6;
+        let expected = ShapeError::HolesOverlap { field: "holes[57]".into(), other: "holes[47]".into() };
+        assert_eq!(sieve(10, &radii).unwrap_err(), expected);
+        radii[57] = 0.9;
+        radii[90] = 1.05;
+        assert_eq!(sieve(10, &radii).unwrap_err().field(), "holes[90]");
+    }
+
     proptest! {
+        #![proptest_config(ProptestConfig::with_cases(16))]
+
+        /// Each point of a plate with many holes lies in the hole about the middle of its cell, or in the
+        /// plate; a long outline is walked along by place, too.
+        #[test]
+        fn a_sieve_covers_what_its_holes_leave(
+            radii in prop::collection::vec(0.1..0.95, 144), places in prop::collection::vec(prop::array::uniform2(-0.5..24.5), 200),
+        ) {
+            let region = sieve(12, &radii).unwrap();
+            assert_covers(&region);
+            let exact = 24.0 * 24.0 - radii.iter().map(|r| 2.0 * r * r).sum::<f64>();
+            prop_assert!((region.area() - exact).abs() < 1e-12 * exact);
+            for [x, y] in places {
+                let [column, row] = [x, y].map(|at: f64| (at / 2.0).floor());
+                let inside = (0.0..24.0).contains(&x) && (0.0..24.0).contains(&y);
+                let r = if inside { radii[(12.0 * row + column) as usize] } else { 0.0 };
+                let from_middle = (x - 2.0 * column - 1.0).abs() + (y - 2.0 * row - 1.0).abs();
+                prop_assert_eq!(region.contains(DVec3::new(x, y, 0.0)), inside && from_middle >= r);
+            }
+        }
+
+        /// A comb of many teeth: inside by height, on the border at its sides.
+        #[test]
+        fn long_outlines_cover_what_lies_below_them(
+            heights in prop::collection::vec(0.5..1.5, 9..60), places in prop::collection::vec(prop::array::uniform2(0.0..1.0), 50),
+        ) {
+            let n = heights.len();
+            let step = |(k, h): (usize, &f64)| [(k as f64, *h), (k as f64 + 1.0, *h)];
+            let top = heights.iter().enumerate().flat_map(step).rev();
+            let outline: Vec<(f64, f64)> = [(0.0, 0.0), (n as f64, 0.0)].into_iter().chain(top).collect();
+            let region = PlanarRegion::new(flat(&outline), vec![]).unwrap();
+            assert_covers(&region);
+            prop_assert!((region.area() - heights.iter().sum::<f64>()).abs() < 1e-12 * n as f64);
+            for [x, y] in places {
+                let (x, y) = (n as f64 * x, 2.0 * y);
+                let height = heights[x as usize];
+                prop_assert_eq!(region.contains(DVec3::new(x, y, 0.0)), y <= height);
+                prop_assert!(region.contains(DVec3::new(x, height, 0.0)));
+            }
+        }
+
         /// Square and diamond holes in the cells of a grid, which touch along edges and in points.
         #[test]
         fn pieces_cover_regions_between_touching_holes(

@@ -251,3 +251,38 @@ fn height_over(under: &PlanarRegion, over: &PlanarRegion) -> Option<f64> {
     let heights = || small.outer().iter().map(|x| up * large.height(*x));
     heights().all(|height| height > tolerance).then(|| heights().fold(0.0, f64::max))
 }
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    proptest! {
+        /// What is left is what one hole after the other leaves of all pieces, to the last bit.
+        #[test]
+        fn holes_are_cut_out_of_the_pieces_that_they_reach(
+            places in prop::collection::vec(prop::array::uniform5(0.0..1.0f64), 0..40), far in -1e7..1e7f64,
+        ) {
+            let triangle = |[x, y, size, turn, height]: [f64; 5]| {
+                let corner = |k: usize| {
+                    let (sin, cos) = (6.3 * turn + 2.0943951 * k as f64).sin_cos();
+                    let size = 0.3 * (0.1 + size);
+                    DVec3::new(far + x + size * cos, y + size * sin, far + 1e-6 * height)
+                };
+                vec![(0..3).map(corner).collect::<Vec<DVec3>>()]
+            };
+            let at = |x: f64, y: f64| DVec3::new(far + x, y, far);
+            let square = |x: f64| vec![at(x, 0.0), at(x + 0.5, 0.0), at(x + 0.5, 1.0), at(x, 1.0)];
+            let pieces = vec![square(0.0), square(0.5)];
+            let parts: Vec<CoveredPart> = (places.into_iter().map(triangle))
+                .map(|pieces| CoveredPart { surface: 0, pieces, contact: 0 })
+                .collect();
+            let cut = |rest: Vec<Vec<DVec3>>, part: &CoveredPart| {
+                rest.iter().flat_map(|piece| difference(piece, &part.pieces[0], DVec3::Z)).collect()
+            };
+            let expected = parts.iter().fold(pieces.clone(), cut);
+            prop_assert_eq!(without(pieces, parts.iter(), DVec3::Z), expected);
+        }
+    }
+}

@@ -85,3 +85,48 @@ fn suspects(scene: &Scene, obstacles: &Visibility, surface: usize) -> Vec<SealCa
     seal::keep_apart(&mut found);
     found
 }
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+    use radiosity_geom::shapes::Parallelogram;
+
+    use super::*;
+
+    /// The rule itself: one footprint after the other.
+    fn one_by_one(whole: &Arc<dyn Surface>, footprints: &[Footprint]) -> Arc<dyn Surface> {
+        footprints.iter().fold(Arc::clone(whole), |shape, Footprint { region, .. }| {
+            match Trimmed::new(Box::new(Arc::clone(&shape)), vec![region.outer().to_vec()]) {
+                Ok(cut) if cut.area() > LEFT_BESIDE_FOOTPRINTS * region.area() => Arc::new(cut),
+                _ => shape,
+            }
+        })
+    }
+
+    proptest! {
+        /// Squares anywhere, some of which overlap or leave the floor, and at last tiles of all of it.
+        #[test]
+        fn footprints_that_do_not_fit_stay_and_no_others(
+            places in prop::collection::vec((prop::array::uniform2(-0.2..3.8), 0.1..0.6), 0..24), tiles in 0..5usize,
+        ) {
+            let square = |x: f64, y: f64, side: f64| {
+                let at = |a: f64, b: f64| DVec3::new(x + side * a, y + side * b, 0.0);
+                let outer = vec![at(0.0, 0.0), at(1.0, 0.0), at(1.0, 1.0), at(0.0, 1.0)];
+                let region = PlanarRegion::new(outer, Vec::new()).expect("a square");
+                Footprint { surface: 0, region, standing: Vec::new() }
+            };
+            let scattered = places.into_iter().map(|([x, y], side)| square(x, y, side));
+            let quarters = (0..tiles.min(4)).map(|k| square(2.0 * (k % 2) as f64, 2.0 * (k / 2) as f64, 2.0));
+            let mut footprints: Vec<Footprint> =
+                if tiles < 4 { scattered.chain(quarters).collect() } else { quarters.collect() };
+            let first = tiles.min(footprints.len());
+            footprints.rotate_left(first);
+            let floor: Arc<dyn Surface> =
+                Arc::new(Parallelogram::new(DVec3::ZERO, 4.0 * DVec3::X, 4.0 * DVec3::Y).expect("a square"));
+            let mut cut = Arc::clone(&floor);
+            cut_out(&mut cut, &footprints);
+            let expected = one_by_one(&floor, &footprints);
+            prop_assert_eq!(cut.region(), expected.region());
+        }
+    }
+}

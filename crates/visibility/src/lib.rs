@@ -358,12 +358,13 @@ impl Visibility {
     pub fn any_shadow(&self) -> bool {
         let n = self.obstacles.len();
         let pair = |i: usize, j: usize| (&self.obstacles[i].hull, &self.obstacles[j].hull);
-        (0..n).any(|i| {
-            (0..i).any(|j| {
-                let (a, b) = pair(i, j);
-                !self.candidates(a, b, [i, j]).is_empty()
-            })
-        })
+        let is_shaded = |i: usize, j: usize| {
+            let (a, b) = pair(i, j);
+            !self.candidates(a, b, [i, j]).is_empty()
+        };
+        self.shadows != Shadows::Off
+            && self.has_obstacles()
+            && (0..n).any(|i| (0..i).any(|j| is_shaded(i, j)))
     }
 
     /// Whether some surface is bent and not hollow: its points may see something only partly above their

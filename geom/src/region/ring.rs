@@ -23,9 +23,10 @@ impl PartialEq for Ring {
 
 impl Ring {
     pub(super) fn new(points: Vec<DVec2>) -> Self {
-        let boxes: Vec<Aabb> = sides(&points).map(around).collect();
-        let bounds = boxes.iter().copied().fold(Aabb::EMPTY, Aabb::union);
-        Self { points, bounds, edges: Places::new(boxes.into_iter()) }
+        let bounds = around(points.iter().copied());
+        let n = points.len();
+        let edges = Places::new((0..n).map(|from| around([points[from], points[(from + 1) % n]])));
+        Self { points, bounds, edges }
     }
 
     pub(super) fn points(&self) -> &[DVec2] {

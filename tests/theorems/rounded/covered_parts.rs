@@ -123,6 +123,40 @@ proptest! {
     }
 }
 
+/// Boxes in rows on one floor: each bottom covers its base, and the floor keeps its area.
+#[test]
+fn many_boxes_cover_their_bases() {
+    const ROWS: usize = 12;
+    let place = |k: usize| [4.0 * (k % ROWS) as f64, 3.0 * (k / ROWS) as f64].map(|at| at / ROWS as f64);
+    let size = |k: usize| 0.1 + 0.1 * ((7 * k) % 10) as f64 / 10.0;
+    let boxes = (0..ROWS * ROWS).flat_map(|k| {
+        let [x, y] = place(k);
+        cuboid(&format!("box-{k}"), [x + 0.02, y + 0.01, 0.0], [x + 0.02 + size(k), y + 0.2, 0.3], &[])
+    });
+    let scene = built(&room().into_iter().chain(boxes).collect::<Vec<_>>());
+    let floor = scene.surfaces.iter().position(|surface| surface.name == "room-bottom").expect("a floor");
+    let parts = CoveredParts::new(&scene);
+    let covered: f64 =
+        parts.of_surface(floor).flat_map(|part| &part.pieces).map(|piece| polygon_area(piece)).sum();
+    let bases: f64 = (0..ROWS * ROWS).map(|k| 0.19 * size(k)).sum();
+    assert_eq!((parts.of_surface(floor).len(), parts.list().len()), (ROWS * ROWS, 2 * ROWS * ROWS));
+    assert!((covered / bases - 1.0).abs() < 1e-6, "{covered} of {bases}");
+    let elements = elements_of(&scene, 0, 3);
+    let of_floor = || elements.list()[elements.of_surface(floor)].iter();
+    let sum: f64 = of_floor().map(|element| element.area).sum();
+    let whole = scene.surfaces[floor].shape.area();
+    assert!((sum / whole - 1.0).abs() < 1e-9, "{sum} of {whole}");
+    // Each base is found at its middle.
+    let shape = elements.shape(floor);
+    for (element, index) in
+        of_floor().zip(elements.of_surface(floor)).filter(|(own, _)| own.contact.is_some())
+    {
+        let middle = element.bounds().center();
+        let foot = shape.project(middle);
+        assert_eq!(elements.at(floor, [foot.u, foot.v]), Some(index));
+    }
+}
+
 /// A box that stands across tiles of a floor, larger than some of them, stands on all of them.
 #[test]
 fn a_box_stands_on_tiles() {

@@ -18,7 +18,7 @@ use radiosity_test_support::random::Random;
 use crate::family::{Family, Row, timed};
 
 const STAGES: &[&str] = &["read", "footprints", "covered parts", "elements", "obstacles", "solve"];
-const SIZES: &[usize] = &[1_000, 3_000, 10_000];
+const SIZES: &[usize] = &[1_000, 3_000, 10_000, 30_000, 100_000];
 
 /// Boxes that are open at the bottom.
 pub(crate) const OPEN: Family =
