@@ -311,7 +311,7 @@ impl Pieces {
         Self { list, places }
     }
 
-    /// Those that may reach over the parameters `rect` of their surface, in order.
+    /// The pieces that may reach over the parameters `rect` of their surface, in order.
     fn over(&self, shape: &dyn Surface, rect: &Rect) -> Cow<'_, [Vec<DVec3>]> {
         if self.list.len() < 2 || *rect == Rect::FULL {
             return Cow::Borrowed(&self.list);

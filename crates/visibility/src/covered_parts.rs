@@ -65,7 +65,7 @@ impl CoveredParts {
         &self.list
     }
 
-    /// Those of one surface.
+    /// The parts of one surface.
     pub fn of_surface(&self, surface: usize) -> impl ExactSizeIterator<Item = &CoveredPart> {
         self.of_surface[surface].iter().map(|place| &self.list[*place])
     }
@@ -259,7 +259,7 @@ mod tests {
     use super::*;
 
     proptest! {
-        /// What is left is what one hole after the other leaves of all pieces, to the last bit.
+        /// The rest is what one hole after the other leaves of all pieces, to the last bit.
         #[test]
         fn holes_are_cut_out_of_the_pieces_that_they_reach(
             places in prop::collection::vec(prop::array::uniform5(0.0..1.0f64), 0..40), far in -1e7..1e7f64,

@@ -8,7 +8,7 @@ pub(crate) const LEAST: f64 = 1e-3;
 /// Scenes of one kind, from small to large.
 pub(crate) struct Family {
     pub(crate) name: &'static str,
-    /// What is timed.
+    /// The parts of the work that are timed.
     pub(crate) stages: &'static [&'static str],
     /// About so many surfaces have the scenes.
     pub(crate) sizes: &'static [usize],
@@ -31,7 +31,7 @@ impl Row {
     }
 }
 
-/// What `stage` makes; its time is appended to `seconds`.
+/// Makes what a stage makes; its time is appended to `seconds`.
 pub(crate) fn timed<T>(seconds: &mut Vec<f64>, stage: impl FnOnce() -> T) -> T {
     let start = ProcessTime::now();
     let made = stage();
