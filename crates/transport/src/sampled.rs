@@ -32,7 +32,7 @@ mod closure;
 mod estimate;
 pub(crate) mod standing;
 
-use std::collections::HashSet;
+use std::collections::{BTreeMap, HashSet};
 
 use radiosity_elements::{Element, Elements};
 use radiosity_geom::Encounter;
@@ -503,12 +503,14 @@ impl<'a> SampledTransport<'a> {
     /// The exact blocks of what lies on each other.
     fn push_covered(&self, blocks: &mut Blocks) {
         let list = self.elements.list();
-        let covered: Vec<usize> = (0..list.len()).filter(|index| list[*index].contact.is_some()).collect();
-        for (place, row) in covered.iter().enumerate() {
-            for column in &covered[place + 1..] {
-                if list[*row].contact == list[*column].contact {
-                    blocks.push(*row, *column, &covering::block(&list[*row], &list[*column]).values);
-                }
+        let mut by_contact: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
+        for (index, contact) in (0..).zip(list).filter_map(|(index, own)| Some((index, own.contact?))) {
+            by_contact.entry(contact).or_default().push(index);
+        }
+        for (row, element) in list.iter().enumerate() {
+            let others = element.contact.and_then(|contact| by_contact.get(&contact)).into_iter().flatten();
+            for column in others.copied().filter(|column| *column > row) {
+                blocks.push(row, column, &covering::block(element, &list[column]).values);
             }
         }
     }
