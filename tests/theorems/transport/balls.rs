@@ -62,6 +62,10 @@ fn walls_see_each_other_past_balls() {
     check(
         &[
             ("one ball", with("")),
+            (
+                "a ball of two sides",
+                with("@two_sided = true\nsphere = { center = [0.1,0.9,0.4], radius = 0.2 }"),
+            ),
             ("two balls", with("@sphere = { center = [0.1,0.9,0.4], radius = 0.2 }")),
             ("a ball on the floor", with("@sphere = { center = [0.4,0.9,-0.75], radius = 0.25 }")),
             (
