@@ -264,22 +264,27 @@ impl<'a> CorrectionSums<'a> {
     fn hidden(&mut self, x: &Node, blockers: &[usize], out: &mut [f64]) -> HiddenShare {
         let Correction { visibility, inner_shape, ball, ball_corners, .. } = self.correction;
         let shadows = visibility.shadows(blockers, x.position, ball, *ball_corners);
-        let share = match inner_shape {
+        let (any, everything) = match inner_shape {
             InnerShape::Flat(facets) => self.hidden_of_facets(facets, x, &shadows, out),
-            InnerShape::OfSphere(zone) => self.hidden_of_sphere(zone, x, &shadows, out),
+            InnerShape::OfSphere(zone) => (self.hidden_of_sphere(zone, x, &shadows, out), false),
         };
-        self.dark &= share == HiddenShare::Everything;
-        self.hides |= share != HiddenShare::Nothing;
-        share
+        self.dark &= everything;
+        self.hides |= any;
+        match (any, everything) {
+            (false, _) => HiddenShare::Nothing,
+            (true, true) => HiddenShare::Everything,
+            (true, false) => HiddenShare::Part,
+        }
     }
 
+    /// Whether anything is hidden, and whether all is that the point would see.
     fn hidden_of_facets(
         &mut self,
         facets: &Facets,
         x: &Node,
         shadows: &[BlockerShadow],
         out: &mut [f64],
-    ) -> HiddenShare {
+    ) -> (bool, bool) {
         let (mut any, mut everything) = (false, true);
         for (polygon, ball) in facets.polygons.iter().zip(&facets.balls) {
             let Some(polygon) = self.seen_from(x, polygon, facets.normal) else { continue };
@@ -288,26 +293,23 @@ impl<'a> CorrectionSums<'a> {
             any |= !hidden.is_empty();
             hidden.into_iter().for_each(|seen| self.gather(x, seen, facets.normal, out));
         }
-        match (any, everything) {
-            (false, _) => HiddenShare::Nothing,
-            (true, true) => HiddenShare::Everything,
-            (true, false) => HiddenShare::Part,
-        }
+        (any, everything)
     }
 
+    /// Whether anything is hidden.
     fn hidden_of_sphere(
         &mut self,
         zone: &Zone,
         x: &Node,
         shadows: &[BlockerShadow],
         out: &mut [f64],
-    ) -> HiddenShare {
+    ) -> bool {
         let view = zone.view(x.position).map(|corner| corner + x.position);
         let (hidden, _) = inside_any(&view, &Ball::around(&view), shadows);
         for seen in &hidden {
             self.samples += zone.seen_through(x.position, seen, zone.kernel(), out);
         }
-        if hidden.is_empty() { HiddenShare::Nothing } else { HiddenShare::Part }
+        !hidden.is_empty()
     }
 
     /// The part of a polygon of the inner element that a point sees without blockers.
