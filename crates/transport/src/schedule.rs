@@ -14,6 +14,7 @@ mod task;
 mod balance;
 mod goal;
 mod plan;
+mod screened;
 mod sorting;
 mod integrated;
 mod integration;

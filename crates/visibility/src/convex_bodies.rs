@@ -74,14 +74,14 @@ struct Edge {
 }
 
 impl Bodies {
-    /// The bodies that `faces` close in a scene of `surfaces` surfaces inside the hull of `cloud`.
-    pub(super) fn new(faces: &[Face], surfaces: usize, cloud: &Cloud) -> Self {
+    /// The bodies that `faces`, of which `twins` lie beyond the sides, close in a scene of `surfaces` surfaces
+    /// inside the hull of `cloud`.
+    pub(super) fn new(faces: &[Face], twins: &[Vec<Option<usize>>], surfaces: usize, cloud: &Cloud) -> Self {
         let mut bodies = Self { list: Vec::new(), of_surface: vec![None; surfaces] };
-        let twins = twins(faces);
         let mut seen = vec![false; faces.len()];
         for first in 0..faces.len() {
-            let group = group(first, &twins, &mut seen);
-            if let Some(body) = Body::of(&group, faces, &twins, cloud) {
+            let group = group(first, twins, &mut seen);
+            if let Some(body) = Body::of(&group, faces, twins, cloud) {
                 group
                     .iter()
                     .for_each(|face| bodies.of_surface[faces[*face].surface] = Some(bodies.list.len()));
@@ -104,7 +104,7 @@ impl Bodies {
 
 /// For each side of each face the face beyond that edge: the only one with a side along it in the other
 /// direction.
-fn twins(faces: &[Face]) -> Vec<Vec<Option<usize>>> {
+pub(super) fn twins(faces: &[Face]) -> Vec<Vec<Option<usize>>> {
     let key = |[a, b]: [DVec3; 2]| {
         // A power of two, equal for both directions of an edge; 1.37 keeps round lengths away from where it
         // jumps.
@@ -234,7 +234,7 @@ mod tests {
             .map(|((surface, normal), outline)| Face { surface: *surface, outline, normal: *normal })
             .collect();
         let points: Vec<DVec3> = outlines.iter().flatten().chain(others).copied().collect();
-        Bodies::new(&faces, outlines.len(), &Cloud::new(points))
+        Bodies::new(&faces, &twins(&faces), outlines.len(), &Cloud::new(points))
     }
 
     fn is_met(outline: &[DVec3], x: DVec3, y: DVec3) -> bool {

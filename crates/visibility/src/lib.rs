@@ -10,7 +10,7 @@
 //! `shadow_cone` and [`blocker_shadow`] (what blockers hide from a point), `cloud`,
 //! `convex_bodies`, [`silhouette_mesh`], [`Shadows`] (ways to find them), `within` (what lies in a convex
 //! solid), `obstacle` (of what obstacles are made), `rays` and `whole` (what rays meet first, what hides as a
-//! whole), [`Visibility`], the noun of the crate; then what a scene says of itself: [`footprints`] (where
+//! whole), `screened` (what joined surfaces hide), [`Visibility`], the noun of the crate; then what a scene says of itself: [`footprints`] (where
 //! bodies stand), [`covered_parts`] (flat surfaces on others) and [`inspection`] (contents, contacts, what
 //! looks wrong).
 //!
@@ -24,12 +24,14 @@ mod shadow_cone;
 pub mod blocker_shadow;
 mod cloud;
 mod convex_bodies;
+mod screens;
 pub mod silhouette_mesh;
 mod shadows;
 mod within;
 mod obstacle;
 mod rays;
 mod whole;
+mod screened;
 pub mod footprints;
 pub mod covered_parts;
 pub mod inspection;
@@ -45,8 +47,10 @@ use radiosity_work::interruption::check_interrupt;
 
 use bounding_ball::Ball;
 use cloud::Cloud;
-use convex_bodies::{Bodies, Face};
+use convex_bodies::{Bodies, Face, twins};
 use obstacle::{Bend, Obstacle};
+pub use screens::End;
+use screens::Screens;
 pub use shadows::Shadows;
 use silhouette_mesh::SilhouetteMesh;
 use tolerances::{END, OWN_END};
@@ -66,6 +70,7 @@ pub struct Visibility {
     /// Hierarchy of the standing surfaces.
     standing_tree: Bvh,
     bodies: Bodies,
+    screens: Screens,
     /// Rank of each surface by the coordinates of its hull.
     places: Vec<usize>,
     shadows: Shadows,
@@ -103,9 +108,9 @@ impl Visibility {
         let standing_tree = Bvh::build(&standing_boxes);
         let tree = Bvh::build(&boxes);
         let rays = RayTree::new(scene.surfaces.iter().map(|s| Arc::clone(&s.shape)).collect());
-        let bodies = bodies(&obstacles, &cloud);
+        let (bodies, screens) = bodies(&obstacles, &cloud);
         let places = places(&obstacles);
-        Self { obstacles, boxes, tree, rays, standing, standing_tree, bodies, places, shadows, eps }
+        Self { obstacles, boxes, tree, rays, standing, standing_tree, bodies, screens, places, shadows, eps }
     }
 
     /// Candidate blockers between the hulls of the points `a` and `b`, ascending: without the two `surfaces`,
@@ -406,14 +411,16 @@ fn standing(obstacles: &[Obstacle], cloud: &Cloud, boxes: &[Aabb], eps: f64) -> 
     (0..obstacles.len()).filter(|index| !walls_in(index) && !encloses_all(index)).collect()
 }
 
-/// The convex bodies that surfaces close.
-fn bodies(obstacles: &[Obstacle], cloud: &Cloud) -> Bodies {
+/// The convex bodies that surfaces close, and the surfaces as parts of screens.
+fn bodies(obstacles: &[Obstacle], cloud: &Cloud) -> (Bodies, Screens) {
     let faces = obstacles.iter().enumerate().filter_map(|(surface, Obstacle { shape, hull, .. })| {
         let region = shape.region().filter(|region| region.holes().is_empty())?;
         Some(Face { surface, outline: &hull[..], normal: region.normal() })
     });
     let faces: Vec<Face> = faces.collect();
-    Bodies::new(&faces, obstacles.len(), cloud)
+    let twins = twins(&faces);
+    let bodies = Bodies::new(&faces, &twins, obstacles.len(), cloud);
+    (bodies, Screens::new(&faces, &twins, obstacles.len()))
 }
 
 /// Largest distance of the points from the line through the first point and the one farthest from it.

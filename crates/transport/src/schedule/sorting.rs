@@ -55,9 +55,18 @@ impl Schedule<'_> {
     }
 
     fn sort_row(&self, row: usize) -> (Vec<Task>, PairCounts) {
+        let told: Vec<Option<Sorted>> =
+            (row..self.list.len()).map(|column| self.told_by_planes(row, column)).collect();
+        let open = told.iter().enumerate().filter(|(_, told)| told.is_none());
+        let screened = self.screened(row, open.map(|(place, _)| row + place).collect());
+        let mut screened = screened.into_iter().peekable();
         let (mut tasks, mut counts) = (Vec::new(), PairCounts::default());
-        for column in row..self.list.len() {
-            let sorted = self.sorted(row, column);
+        for (column, told) in (row..).zip(told) {
+            let sorted = match told {
+                Some(sorted) => sorted,
+                None if screened.next_if_eq(&column).is_some() => Sorted::Hidden,
+                None => self.told_by_blockers(row, column),
+            };
             counts.total += usize::from(row != column || matches!(sorted, Sorted::Task(_) | Sorted::Black));
             match sorted {
                 Sorted::Coplanar => counts.skipped_coplanar += usize::from(row != column),
@@ -70,21 +79,25 @@ impl Schedule<'_> {
         (tasks, counts)
     }
 
-    fn sorted(&self, row: usize, column: usize) -> Sorted {
+    /// The decision about a pair as far as its planes and contacts tell.
+    fn told_by_planes(&self, row: usize, column: usize) -> Option<Sorted> {
         check_interrupt();
         if !(self.wanted)(row, column) {
-            return Sorted::Black;
+            return Some(Sorted::Black);
+        }
+        if let Some(skipped) = self.planes_exchange_nothing(row, column) {
+            return Some(skipped);
         }
         let (receiver, emitter) = (&self.list[row], &self.list[column]);
-        if let Some(skipped) = self.planes_exchange_nothing(row, column) {
-            return skipped;
-        }
         if receiver.contact != emitter.contact {
-            return Sorted::Hidden;
+            return Some(Sorted::Hidden);
         }
-        if receiver.contact.is_some() {
-            return Sorted::Task(Task::of_contact(row, column));
-        }
+        receiver.contact.map(|_| Sorted::Task(Task::of_contact(row, column)))
+    }
+
+    /// The decision about a pair that its planes leave open.
+    fn told_by_blockers(&self, row: usize, column: usize) -> Sorted {
+        let (receiver, emitter) = (&self.list[row], &self.list[column]);
         let surfaces = [receiver.surface, emitter.surface];
         let blockers = self.visibility.candidates(&receiver.hull, &emitter.hull, surfaces);
         let is_hidden = || {

@@ -1,0 +1,215 @@
+//! Screens: planar surfaces joined along common sides, which hide together what none of them hides alone.
+//!
+//! Let K be the convex hull of two ends A and B, and S a union of joined surfaces that meets neither end
+//! inside and whose border stays out of the inside of K. Where a segment from a point of A to a point of B
+//! moves within A and B, the parity of its meetings with S does not change: it would have to pass the border,
+//! or an end would have to pass S (V. Guillemin, A. Pollack, *Differential Topology*, 1974, §2.4).
+//!
+//! ```text
+//! one segment meets S an odd number of times   ⇒   every segment meets S: A and B are hidden from each other
+//! ```
+//!
+//! S is grown from one surface across the sides that reach into K. The two sides of a fin are one screen each
+//! unless its tip reaches into K; then the parity is even, and nothing is told. Segments leave a flat end in
+//! front of its plane, so the sides of the surface that it lies on are never passed.
+
+use std::iter;
+
+use radiosity_geom::{Aabb, COINCIDENT, DVec3, Plane, distance_to_segment, separated, sides};
+use smallvec::SmallVec;
+
+use crate::convex_bodies::Face;
+
+/// Most surfaces of a screen. What hides widely is mostly near an end, where the shaft is narrow; with a
+/// larger value more time goes into screens that turn out to be open.
+const MOST: usize = 64;
+
+/// Distance from the border of a surface, over the border's longest side, within which it is not told whether
+/// a segment meets the surface: far above rounding.
+const UNCERTAIN: f64 = 1e-7;
+
+/// One end of a set of segments.
+#[derive(Clone, Copy, Debug)]
+pub struct End<'a> {
+    hull: &'a [DVec3],
+    own: Option<Own>,
+}
+
+/// The planar surface that an end is a part of.
+#[derive(Clone, Copy, Debug)]
+struct Own {
+    surface: usize,
+    plane: Plane,
+}
+
+impl<'a> End<'a> {
+    /// A part of the planar `surface`, with these corners; segments leave it in front of its `plane`.
+    pub fn on(surface: usize, plane: Plane, hull: &'a [DVec3]) -> Self {
+        Self { hull, own: Some(Own { surface, plane }) }
+    }
+
+    /// All that lies in the hull of these points, on whatever surfaces.
+    pub fn within(hull: &'a [DVec3]) -> Self {
+        Self { hull, own: None }
+    }
+
+    /// Points whose convex hull holds it.
+    pub(super) fn hull(&self) -> &'a [DVec3] {
+        self.hull
+    }
+
+    /// The planar surface whose part it is, if it is a part of one.
+    pub(super) fn surface(&self) -> Option<usize> {
+        self.own.map(|own| own.surface)
+    }
+
+    /// Whether segments to `point` leave it in front of its plane, by more than `margin`.
+    pub(super) fn faces(&self, point: DVec3, margin: f64) -> bool {
+        self.own.is_none_or(|own| own.plane.height(point) > margin)
+    }
+}
+
+/// The planar surfaces of a scene without holes, with those that join them.
+#[derive(Debug)]
+pub(super) struct Screens {
+    /// By index of the surface.
+    sheets: Vec<Option<Sheet>>,
+}
+
+/// A surface of a screen.
+#[derive(Debug)]
+struct Sheet {
+    outline: Vec<DVec3>,
+    /// Unit normal.
+    normal: DVec3,
+    /// The surface beyond each side, if exactly one joins there.
+    beyond: SmallVec<[Option<usize>; 4]>,
+    /// Length that is uncertain along its border.
+    uncertain: f64,
+}
+
+/// The hull of two ends.
+struct Shaft<'a> {
+    ends: [End<'a>; 2],
+    bounds: Aabb,
+    /// Length by which what touches may reach into the shaft.
+    tolerance: f64,
+}
+
+impl Screens {
+    /// The screens of `faces`, of which `twins` lie beyond the sides, in a scene of `surfaces` surfaces.
+    pub(super) fn new(faces: &[Face], twins: &[Vec<Option<usize>>], surfaces: usize) -> Self {
+        let mut sheets: Vec<Option<Sheet>> = iter::repeat_with(|| None).take(surfaces).collect();
+        for (face, twins) in faces.iter().zip(twins) {
+            let longest = sides(face.outline).map(|[a, b]| a.distance(b)).fold(0.0, f64::max);
+            sheets[face.surface] = Some(Sheet {
+                outline: face.outline.to_vec(),
+                normal: face.normal,
+                beyond: twins.iter().map(|twin| twin.map(|twin| faces[twin].surface)).collect(),
+                uncertain: UNCERTAIN * longest,
+            });
+        }
+        Self { sheets }
+    }
+
+    /// Whether the screen that grows from the surface `first` certainly meets all segments between the two
+    /// ends, of which `segment` is one. `thin` is the narrower end's breadth.
+    pub(super) fn close(&self, ends: [End; 2], first: usize, segment: [DVec3; 2], thin: f64) -> bool {
+        let shaft = Shaft::new(ends, COINCIDENT * thin);
+        let mut screen: SmallVec<[usize; MOST]> = SmallVec::new();
+        screen.push(first);
+        let (mut next, mut is_odd) = (0, false);
+        while let Some(surface) = screen.get(next) {
+            let Some(sheet) = self.sheets[*surface].as_ref().filter(|sheet| shaft.spares_ends(sheet))
+            else {
+                return false;
+            };
+            let Some(meets) = sheet.meets(segment) else { return false };
+            is_odd ^= meets;
+            for (side, beyond) in sides(&sheet.outline).zip(&sheet.beyond) {
+                let is_known = beyond.is_some_and(|other| screen.contains(&other) || shaft.leaves(other));
+                if is_known || shaft.misses(&side) {
+                    continue;
+                }
+                let Some(other) = beyond.filter(|_| screen.len() < MOST) else { return false };
+                screen.push(other);
+            }
+            next += 1;
+        }
+        is_odd
+    }
+}
+
+impl<'a> Shaft<'a> {
+    fn new(ends: [End<'a>; 2], tolerance: f64) -> Self {
+        let points = ends.iter().flat_map(|end| end.hull.iter().copied());
+        Self { ends, bounds: Aabb::around(points), tolerance }
+    }
+
+    /// Whether one of the ends is a part of a surface.
+    fn leaves(&self, surface: usize) -> bool {
+        self.ends.iter().any(|end| end.surface() == Some(surface))
+    }
+
+    /// Whether a side stays out of the inside of the shaft.
+    fn misses(&self, side: &[DVec3; 2]) -> bool {
+        let [a, b] = self.ends.map(|end| end.hull);
+        !self.bounds.overlaps(&Aabb::around(*side)) || separated(a, b, side, self.tolerance)
+    }
+
+    /// Whether a sheet meets neither end, or only the border of one that is flat.
+    fn spares_ends(&self, sheet: &Sheet) -> bool {
+        self.ends.iter().all(|end| match end.own {
+            Some(own) => sheet.spares(end.hull, own.plane.normal, self.tolerance),
+            None => separated(end.hull, end.hull, &sheet.outline, -self.tolerance),
+        })
+    }
+}
+
+impl Sheet {
+    /// Whether the sheet does not meet the inside of the flat `hull` with this `normal`.
+    fn spares(&self, hull: &[DVec3], normal: DVec3, tolerance: f64) -> bool {
+        let lies_beyond = |d: DVec3| {
+            let d = d.normalize_or_zero();
+            let height = |x: &DVec3| x.dot(d);
+            let own = hull.iter().map(height).fold(f64::INFINITY, f64::min);
+            let far = hull.iter().map(height).fold(f64::NEG_INFINITY, f64::max);
+            let top = self.outline.iter().map(height).fold(f64::NEG_INFINITY, f64::max);
+            // Where the hull is flat across d it has no inside beyond its lowest points.
+            if far - own > tolerance { top <= own + tolerance } else { top < own - tolerance }
+        };
+        let both = |d: DVec3| lies_beyond(d) || lies_beyond(-d);
+        let across = || sides(hull).map(|[a, b]| (b - a).cross(normal));
+        let crosses = || {
+            let pairs = sides(hull).flat_map(|own| sides(&self.outline).map(move |other| [own, other]));
+            pairs.map(|[[a, b], [c, d]]| (b - a).cross(d - c))
+        };
+        both(normal) || across().any(both) || both(self.normal) || crosses().any(both)
+    }
+
+    /// Whether the segment between two points meets the sheet; None where that is not certain.
+    fn meets(&self, [x, y]: [DVec3; 2]) -> Option<bool> {
+        let [above, below] = [x, y].map(|point| (point - self.outline[0]).dot(self.normal));
+        if above.abs().min(below.abs()) <= self.uncertain {
+            return None;
+        }
+        if above * below > 0.0 {
+            return Some(false);
+        }
+        let at = x.lerp(y, above / (above - below));
+        let is_certain = sides(&self.outline).all(|side| distance_to_segment(at, side) > self.uncertain);
+        is_certain.then(|| self.surrounds(at))
+    }
+
+    /// Whether a point of its plane lies within its outline: a ray in the plane leaves it an odd number of
+    /// times.
+    fn surrounds(&self, point: DVec3) -> bool {
+        let axis = self.normal.abs().max_position();
+        let flat = |x: DVec3| [x[(axis + 1) % 3] - point[(axis + 1) % 3], x[(axis + 2) % 3] - point[(axis + 2) % 3]];
+        let leaves = |[a, b]: &[DVec3; 2]| {
+            let ([ax, ay], [bx, by]) = (flat(*a), flat(*b));
+            (ay > 0.0) != (by > 0.0) && ax + (bx - ax) * ay / (ay - by) > 0.0
+        };
+        sides(&self.outline).filter(leaves).count() % 2 == 1
+    }
+}
