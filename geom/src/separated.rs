@@ -29,7 +29,19 @@ pub fn separated(a: &[DVec3], b: &[DVec3], c: &[DVec3], tolerance: f64) -> bool 
     if splits(towards) || axes.into_iter().any(|d| splits(d) || splits(-d)) {
         return true;
     }
-    (0..6).any(|face| direction_on(face, [a, b, c], tolerance).is_some_and(splits))
+    // The faces that look along what separates the middles are the most likely to hold a direction.
+    let [x, y, z] = towards.abs().to_array();
+    let by_height = match (x >= y, y >= z, x >= z) {
+        (true, true, _) => [0, 1, 2],
+        (true, false, true) => [0, 2, 1],
+        (true, false, false) => [2, 0, 1],
+        (false, true, true) => [1, 0, 2],
+        (false, true, false) => [1, 2, 0],
+        (false, false, _) => [2, 1, 0],
+    };
+    let along = by_height.map(|axis| if towards[axis] < 0.0 { axis + 3 } else { axis });
+    let faces = along.into_iter().chain(along.into_iter().rev().map(|face| (face + 3) % 6));
+    faces.into_iter().any(|face| direction_on(face, [a, b, c], tolerance).is_some_and(splits))
 }
 
 /// The width of the slab of normal `d` with A ∪ B below and C above, times |d|; negative where they overlap.

@@ -19,6 +19,10 @@ const MORE_RAYS: usize = 3;
 /// Where these start between the middle and a corner: near the corner, but not on the border.
 const OUTWARDS: f64 = 0.9;
 
+/// Part by which the weights of corners differ, and the golden section, whose multiples spread them.
+const UNEVEN: f64 = 0.1;
+const GOLDEN: f64 = 0.618_033_988_749_894_9;
+
 impl Visibility {
     /// Whether a screen certainly meets all segments between two ends. Where it is false something may hide
     /// them all the same.
@@ -71,8 +75,11 @@ impl Visibility {
     }
 }
 
-/// The middle of a hull, or a place near one of its corners.
+/// A place near the middle of a hull, or near one of its corners. Corners weigh differently, as symmetric
+/// things would be met right on the sides that join their faces, where it is not certain what is met.
 fn place(hull: &[DVec3], k: usize) -> DVec3 {
-    let middle = hull.iter().sum::<DVec3>() / hull.len() as f64;
+    let weight = |corner: usize| 1.0 + UNEVEN * (GOLDEN * corner as f64).fract();
+    let weights: f64 = (0..hull.len()).map(weight).sum();
+    let middle = hull.iter().enumerate().map(|(corner, x)| x * weight(corner)).sum::<DVec3>() / weights;
     if k == 0 { middle } else { middle.lerp(hull[k % hull.len()], OUTWARDS) }
 }

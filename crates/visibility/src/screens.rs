@@ -213,3 +213,169 @@ impl Sheet {
         sides(&self.outline).filter(leaves).count() % 2 == 1
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+    use radiosity_geom::shapes::Triangle;
+    use radiosity_geom::{Ray, Surface};
+
+    use super::*;
+    use crate::convex_bodies::twins;
+
+    /// Cells of a sheet along either direction.
+    const CELLS: usize = 4;
+    /// Corners of its grid along either direction.
+    const CORNERS: usize = CELLS + 1;
+
+    /// The triangles of a folded sheet over |x|, |y| < 1, whose corners have these `heights`.
+    fn folded(heights: &[f64]) -> Vec<[DVec3; 3]> {
+        let at = |k: usize| 2.0 * k as f64 / CELLS as f64 - 1.0;
+        let corner = |i: usize, j: usize| DVec3::new(at(i), at(j), heights[CORNERS * i + j]);
+        let cells = (0..CELLS).flat_map(|i| (0..CELLS).map(move |j| (i, j)));
+        cells
+            .flat_map(|(i, j)| {
+                let [a, b, c, d] = [corner(i, j), corner(i + 1, j), corner(i + 1, j + 1), corner(i, j + 1)];
+                [[a, b, c], [a, c, d]]
+            })
+            .collect()
+    }
+
+    /// The screens of triangles.
+    fn screens(triangles: &[[DVec3; 3]]) -> Screens {
+        let face = |(surface, outline): (usize, &'_ [DVec3; 3])| {
+            let [a, b, c] = *outline;
+            (surface, (b - a).cross(c - a).normalize())
+        };
+        let normals: Vec<(usize, DVec3)> = triangles.iter().enumerate().map(face).collect();
+        let faces: Vec<Face> = normals
+            .iter()
+            .zip(triangles)
+            .map(|((surface, normal), outline)| Face { surface: *surface, outline, normal: *normal })
+            .collect();
+        Screens::new(&faces, &twins(&faces), triangles.len() + 2)
+    }
+
+    fn plane([a, b, c]: [DVec3; 3], towards: DVec3) -> Plane {
+        let normal = (b - a).cross(c - a).normalize();
+        Plane { point: a, normal: normal * normal.dot(towards - a).signum() }
+    }
+
+    fn middle(points: &[DVec3]) -> DVec3 {
+        points.iter().sum::<DVec3>() / points.len() as f64
+    }
+
+    /// Whether some screen of the triangles closes the shaft of two triangles that face each other.
+    fn is_closed(triangles: &[[DVec3; 3]], a: [DVec3; 3], b: [DVec3; 3]) -> bool {
+        let n = triangles.len();
+        let ends = [End::on(n, plane(a, middle(&b)), &a), End::on(n + 1, plane(b, middle(&a)), &b)];
+        // Beside the middles, which may see each other through a corner or a side.
+        let (screens, segment) = (screens(triangles), [point(a, [0.31, 0.37]), point(b, [0.29, 0.41])]);
+        (0..n).any(|first| screens.close(ends, first, segment, 0.1))
+    }
+
+    /// A point of a triangle.
+    fn point([a, b, c]: [DVec3; 3], [u, v]: [f64; 2]) -> DVec3 {
+        let [u, v] = if u + v > 1.0 { [1.0 - u, 1.0 - v] } else { [u, v] };
+        a + (b - a) * u + (c - a) * v
+    }
+
+    fn is_met(triangles: &[Triangle], x: DVec3, y: DVec3) -> bool {
+        let ray = Ray { origin: x, direction: y - x, range: [0.0, 1.0] };
+        triangles.iter().any(|triangle| triangle.occludes(&ray))
+    }
+
+    fn end(height: f64) -> impl Strategy<Value = [DVec3; 3]> {
+        let at = prop::array::uniform2(-0.6..0.6f64);
+        let corners = prop::array::uniform3(prop::array::uniform3(-1.0..1.0f64).prop_map(DVec3::from_array));
+        (at, 0.05..0.9f64, corners).prop_filter_map("has area", move |([x, y], size, corners)| {
+            let corners = corners.map(|c| DVec3::new(x, y, height) + size * c * DVec3::new(1.0, 1.0, 0.3));
+            let area = (corners[1] - corners[0]).cross(corners[2] - corners[0]).length();
+            (area > 0.1 * size * size).then_some(corners)
+        })
+    }
+
+    fn heights() -> impl Strategy<Value = Vec<f64>> {
+        (0.0..0.6f64, prop::collection::vec(-1.0..1.0f64, CORNERS * CORNERS))
+            .prop_map(|(bend, heights)| heights.iter().map(|h| bend * h).collect())
+    }
+
+    const LOW: [DVec3; 3] =
+        [DVec3::new(-0.3, -0.2, -1.0), DVec3::new(0.3, -0.2, -1.0), DVec3::new(0.0, 0.3, -1.0)];
+    const HIGH: [DVec3; 3] =
+        [DVec3::new(-0.3, -0.2, 1.0), DVec3::new(0.3, -0.2, 1.0), DVec3::new(0.0, 0.3, 1.2)];
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(400))]
+
+        /// What is told hidden is hidden for every segment, be triangles missing or some bumps as high as the
+        /// ends.
+        #[test]
+        fn what_a_screen_closes_no_segment_passes(
+            heights in heights(), a in end(-0.9), b in end(0.9), missing in 0..4 * CELLS * CELLS,
+            places in prop::collection::vec(prop::array::uniform4(0.0..1.0f64), 500),
+        ) {
+            let mut triangles = folded(&heights);
+            if missing < triangles.len() {
+                triangles.remove(missing);
+            }
+            prop_assume!(is_closed(&triangles, a, b));
+            let shapes: Vec<Triangle> =
+                triangles.iter().filter_map(|triangle| Triangle::new(*triangle).ok()).collect();
+            let (front, back) = (plane(a, middle(&b)), plane(b, middle(&a)));
+            for [p, q, r, s] in places {
+                let (x, y) = (point(a, [p, q]), point(b, [r, s]));
+                if front.height(y) > 0.0 && back.height(x) > 0.0 {
+                    prop_assert!(is_met(&shapes, x, y), "{x} and {y} see each other");
+                }
+            }
+        }
+
+        /// A folded sheet that is wide enough closes; not with a slit, however narrow, across the shaft.
+        #[test]
+        fn a_slit_is_found(heights in heights(), slit in -7.0..-1.0f64, height in -0.4..0.4f64) {
+            let whole = folded(&heights);
+            prop_assert!(is_closed(&whole, LOW, HIGH));
+            // The middle line of the grid lies within the shaft.
+            let flat: Vec<[DVec3; 3]> = folded(&[height; CORNERS * CORNERS]);
+            let shift = |triangle: &[DVec3; 3]| {
+                let moved = if middle(triangle).x > 0.0 { 10f64.powf(slit) } else { 0.0 };
+                triangle.map(|corner| corner + moved * DVec3::X)
+            };
+            prop_assert!(is_closed(&flat, LOW, HIGH));
+            prop_assert!(!is_closed(&flat.iter().map(shift).collect::<Vec<_>>(), LOW, HIGH));
+        }
+    }
+
+    /// A fin of two sides and a tip, as high as `top`, across the shaft.
+    fn fin(top: f64) -> Vec<[DVec3; 3]> {
+        let profile = [[-0.1, -9.0], [-0.1, top], [0.1, top], [0.1, -9.0]];
+        let quads = profile.windows(2).map(|side| {
+            let corner = |[z, x]: [f64; 2], y: f64| DVec3::new(x, y, z);
+            [corner(side[0], -2.0), corner(side[1], -2.0), corner(side[1], 2.0), corner(side[0], 2.0)]
+        });
+        quads.flat_map(|[a, b, c, d]| [[a, b, c], [a, c, d]]).collect()
+    }
+
+    #[test]
+    fn a_fin_hides_unless_its_tip_reaches_into_the_shaft() {
+        assert!(is_closed(&fin(0.3 + 1e-6), LOW, HIGH));
+        assert!(!is_closed(&fin(0.3 - 1e-6), LOW, HIGH));
+        assert!(!is_closed(&fin(-0.4), LOW, HIGH));
+    }
+
+    #[test]
+    fn what_stands_on_an_end_does_not_hide_it() {
+        // A sheet through the lower end: to its left all is hidden, to its right all is seen.
+        let through = [[-0.1, -1.0], [-0.1, -0.5], [9.0, -0.5]];
+        let quads = through.windows(2).map(|side| {
+            let corner = |[x, z]: [f64; 2], y: f64| DVec3::new(x, y, z);
+            [corner(side[0], -2.0), corner(side[1], -2.0), corner(side[1], 2.0), corner(side[0], 2.0)]
+        });
+        let sheet: Vec<[DVec3; 3]> = quads.flat_map(|[a, b, c, d]| [[a, b, c], [a, c, d]]).collect();
+        assert!(!is_closed(&sheet, LOW, HIGH));
+        let beside: Vec<[DVec3; 3]> =
+            sheet.iter().map(|triangle| triangle.map(|corner| corner - 0.3 * DVec3::X)).collect();
+        assert!(is_closed(&beside, LOW, HIGH));
+    }
+}
