@@ -120,8 +120,7 @@ impl Screens {
         screen.push(first);
         let (mut next, mut is_odd) = (0, false);
         while let Some(surface) = screen.get(next) {
-            let Some(sheet) = self.sheets[*surface].as_ref().filter(|sheet| shaft.spares_ends(sheet))
-            else {
+            let Some(sheet) = self.sheets[*surface].as_ref().filter(|sheet| shaft.spares_ends(sheet)) else {
                 return false;
             };
             let Some(meets) = sheet.meets(segment) else { return false };
@@ -205,7 +204,8 @@ impl Sheet {
     /// times.
     fn surrounds(&self, point: DVec3) -> bool {
         let axis = self.normal.abs().max_position();
-        let flat = |x: DVec3| [x[(axis + 1) % 3] - point[(axis + 1) % 3], x[(axis + 2) % 3] - point[(axis + 2) % 3]];
+        let flat =
+            |x: DVec3| [x[(axis + 1) % 3] - point[(axis + 1) % 3], x[(axis + 2) % 3] - point[(axis + 2) % 3]];
         let leaves = |[a, b]: &[DVec3; 2]| {
             let ([ax, ay], [bx, by]) = (flat(*a), flat(*b));
             (ay > 0.0) != (by > 0.0) && ax + (bx - ax) * ay / (ay - by) > 0.0
