@@ -28,6 +28,11 @@ impl Ball {
         self.radius
     }
 
+    /// Lower bound of the distance of a segment from the ball; negative where the segment may meet it.
+    pub fn gap_to_segment(&self, [x, y]: [DVec3; 2]) -> f64 {
+        self.distance(x, y) - self.radius
+    }
+
     /// Whether the ball certainly misses the segment from `x` to `y`.
     pub(super) fn misses(&self, x: DVec3, y: DVec3) -> bool {
         self.distance(x, y) > self.radius

@@ -365,7 +365,7 @@ impl Visibility {
         let pair = |i: usize, j: usize| (&self.obstacles[i].hull, &self.obstacles[j].hull);
         let is_shaded = |i: usize, j: usize| {
             let (a, b) = pair(i, j);
-            !self.candidates(a, b, [i, j]).is_empty()
+            !self.some_candidates(a, b, [i, j], 1).is_empty()
         };
         self.shadows != Shadows::Off
             && self.has_obstacles()

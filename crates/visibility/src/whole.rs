@@ -68,8 +68,9 @@ impl Visibility {
             return volumes.extend(Some(whole));
         }
         let pieces = self.faces(&surface).iter().filter_map(|face| self.pieces(*face)).flatten();
-        volumes
-            .extend(pieces.filter(|piece| standing(piece)).filter_map(|piece| ShadowVolume::over(piece, x)));
+        for piece in pieces.filter(|piece| standing(piece)) {
+            volumes.extend(ShadowVolume::over(piece, x));
+        }
     }
 
     /// The `surfaces` with only the first face of each body, and without those within a ball among them, whose

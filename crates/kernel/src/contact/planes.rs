@@ -28,6 +28,10 @@ pub enum Planes {
     Coplanar,
 }
 
+/// Heights of a corner over a plane, over the extent of its element, beyond which all corners lie on one
+/// side: 1 and what rounding may add.
+const FAR: f64 = 1.001;
+
 /// Elements of one planar surface count as coplanar, however their planes were rounded.
 pub fn of(receiver: &Element, emitter: &Element) -> Planes {
     if receiver.surface == emitter.surface && receiver.plane.is_some() {
@@ -44,9 +48,13 @@ pub fn of(receiver: &Element, emitter: &Element) -> Planes {
     Planes::Exchanging
 }
 
-/// Least and largest height of an element over a plane (scene length). Heights within rounding are 0, for
-/// elements of which the smaller is `extent` wide.
+/// Least and largest height of an element over a plane (scene length), or bounds of the same sign. Heights
+/// within rounding are 0, for elements of which the smaller is `extent` wide.
 fn heights(plane: &Plane, element: &Element, extent: f64) -> [f64; 2] {
+    let first = plane.height(element.hull[0]);
+    if first.abs() > FAR * (element.extent + touching(extent, element.hull[0].distance(plane.point))) {
+        return [first; 2];
+    }
     let height = |x: &DVec3| {
         let height = plane.height(*x);
         if height.abs() <= touching(extent, x.distance(plane.point)) { 0.0 } else { height }

@@ -55,18 +55,8 @@ impl Schedule<'_> {
     }
 
     fn sort_row(&self, row: usize) -> (Vec<Task>, PairCounts) {
-        let told: Vec<Option<Sorted>> =
-            (row..self.list.len()).map(|column| self.told_by_planes(row, column)).collect();
-        let open = told.iter().enumerate().filter(|(_, told)| told.is_none());
-        let screened = self.screened(row, open.map(|(place, _)| row + place).collect());
-        let mut screened = screened.into_iter().peekable();
-        let (mut tasks, mut counts) = (Vec::new(), PairCounts::default());
-        for (column, told) in (row..).zip(told) {
-            let sorted = match told {
-                Some(sorted) => sorted,
-                None if screened.next_if_eq(&column).is_some() => Sorted::Hidden,
-                None => self.told_by_blockers(row, column),
-            };
+        let (mut tasks, mut counts, mut open) = (Vec::new(), PairCounts::default(), Vec::new());
+        let mut take = |column: usize, sorted: Sorted| {
             counts.total += usize::from(row != column || matches!(sorted, Sorted::Task(_) | Sorted::Black));
             match sorted {
                 Sorted::Coplanar => counts.skipped_coplanar += usize::from(row != column),
@@ -75,7 +65,19 @@ impl Schedule<'_> {
                 Sorted::Black => counts.skipped_black += 1,
                 Sorted::Task(task) => tasks.push(task),
             }
+        };
+        for column in row..self.list.len() {
+            match self.told_by_planes(row, column) {
+                Some(sorted) => take(column, sorted),
+                None => open.push(column),
+            }
         }
+        let mut screened = self.screened(row, open.clone()).into_iter().peekable();
+        for column in open {
+            let is_screened = screened.next_if_eq(&column).is_some();
+            take(column, if is_screened { Sorted::Hidden } else { self.told_by_blockers(row, column) });
+        }
+        tasks.sort_unstable_by_key(|task| task.column);
         (tasks, counts)
     }
 

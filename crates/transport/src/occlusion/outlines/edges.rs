@@ -19,6 +19,7 @@ use radiosity_geom::{COINCIDENT, DVec3, extreme_points, separated};
 use radiosity_kernel::contact::gap::{point_to_polygon, segment_distance};
 use radiosity_visibility::Visibility;
 use radiosity_visibility::blocker_edges::BlockerEdge;
+use radiosity_visibility::bounding_ball::Ball;
 
 use crate::tolerances::FINE_SHADOWS;
 
@@ -98,8 +99,10 @@ impl Edges {
             };
             (is_tight || points <= COARSE) && breadth() * points < NARROW
         };
-        let is_near =
-            |edge: &BlockerEdge| segment_distance(&corners, edge.ends) * points * points < NEAR * extent;
+        let (ball, near) = (Ball::around(&corners), |gap: f64| gap * points * points < NEAR * extent);
+        let is_near = |edge: &BlockerEdge| {
+            near(ball.gap_to_segment(edge.ends)) && near(segment_distance(&corners, edge.ends))
+        };
         let reaches_between =
             |edge: &BlockerEdge| !separated(&hull, &self.inner, &edge.ends, COINCIDENT * extent);
         let is_near_ball = |(center, radius): (DVec3, f64)| {
