@@ -1,7 +1,8 @@
 //! From elements to blocks: every unordered pair is sorted, equal pairs are found, and each distinct pair is
 //! integrated once.
 //!
-//! Sorting drops the pairs behind each other, in one plane, wholly hidden, or without a sender. Pairs equal
+//! Sorting drops the pairs behind each other, in one plane, wholly hidden, or without a sender, many at once
+//! where it can ([`crate::schedule::groups`]). Pairs equal
 //! up to similarity ([`crate::schedule::congruent`]) share the block of the first of them. A block that is
 //! small compared with its row is integrated to a lower relative accuracy
 //! ([`radiosity_kernel::estimates::entry_bounds`]). The result does not depend on the order in which the
@@ -14,7 +15,7 @@ mod task;
 mod balance;
 mod goal;
 mod plan;
-mod screened;
+mod groups;
 mod sorting;
 mod integrated;
 mod integration;

@@ -1,13 +1,16 @@
 //! Sorting of all pairs: into those that exchange nothing, by reasons, and those whose blocks are to be found.
 
 use radiosity_elements::Element;
+use radiosity_geom::{Aabb, Plane};
 use radiosity_kernel::PairCounts;
 use radiosity_kernel::contact::planes;
 use radiosity_kernel::contact::planes::Planes;
+use radiosity_visibility::End;
 use radiosity_work::interruption::check_interrupt;
 use radiosity_work::ranks::{PartName, Ranks};
 
 use crate::occlusion::outside_ball::lies_outside;
+use crate::schedule::groups::{Group, Groups};
 use crate::schedule::task::{Schedule, Task};
 use crate::tolerances::BELOW_ESTIMATE;
 
@@ -25,12 +28,107 @@ enum Sorted {
     Task(Task),
 }
 
+/// The sorting of the pairs of one row.
+struct RowSorting<'a> {
+    schedule: &'a Schedule<'a>,
+    row: usize,
+    /// The element of the row as an end of segments, if surfaces may hide it from others.
+    end: Option<End<'a>>,
+    bounds: Aabb,
+    tasks: Vec<Task>,
+    counts: PairCounts,
+}
+
+impl<'a> RowSorting<'a> {
+    fn new(schedule: &'a Schedule<'a>, row: usize) -> Self {
+        let element = &schedule.list[row];
+        let is_told = schedule.visibility.has_obstacles() && element.contact.is_none();
+        let end = end(element).filter(|_| is_told);
+        let bounds = Aabb::around(element.hull.iter().copied());
+        Self { schedule, row, end, bounds, tasks: Vec::new(), counts: PairCounts::default() }
+    }
+
+    /// Sorts the pairs with a group of elements, if the row's plane is this.
+    fn visit(&mut self, groups: &Groups, group: &Group, plane: &Plane) {
+        if group.last < self.row {
+            return;
+        }
+        let element = &self.schedule.list[self.row];
+        if groups.are_behind(group, element, plane) {
+            return self.take_all(groups.members(group), |_, _| Sorted::Behind);
+        }
+        let Some(halves) = group.halves else {
+            return groups.members(group).iter().for_each(|column| self.tell(*column));
+        };
+        if self.is_hidden_from(group) {
+            let schedule = self.schedule;
+            let are_faced = groups.are_faced(group, element, plane);
+            return self.take_all(groups.members(group), |row, column| match are_faced {
+                true => Sorted::Hidden,
+                false => schedule.planes_exchange_nothing(row, column).unwrap_or(Sorted::Hidden),
+            });
+        }
+        halves.into_iter().for_each(|half| self.visit(groups, groups.group(half), plane));
+    }
+
+    fn is_hidden_from(&self, group: &Group) -> bool {
+        let is_apart = !group.bounds.overlaps(&self.bounds);
+        let other = || group.bounds.corners();
+        is_apart
+            && self.end.is_some_and(|own| self.schedule.visibility.are_screened([own, End::within(&other())]))
+    }
+
+    /// Takes the decision about each of `columns` from the row on whose pair is wanted.
+    fn take_all(&mut self, columns: &[usize], sorted: impl Fn(usize, usize) -> Sorted) {
+        check_interrupt();
+        let row = self.row;
+        for column in columns.iter().copied().filter(|column| *column >= row) {
+            let is_wanted = (self.schedule.wanted)(row, column);
+            self.take(column, if is_wanted { sorted(row, column) } else { Sorted::Black });
+        }
+    }
+
+    /// Sorts a single pair.
+    fn tell(&mut self, column: usize) {
+        let (schedule, row) = (self.schedule, self.row);
+        let sorted = schedule.told_by_planes(row, column).unwrap_or_else(|| match self.is_screened(column) {
+            true => Sorted::Hidden,
+            false => schedule.told_by_blockers(row, column),
+        });
+        self.take(column, sorted);
+    }
+
+    /// Whether joined surfaces hide an element from the row.
+    fn is_screened(&self, column: usize) -> bool {
+        let ends = || Some([self.end?, end(&self.schedule.list[column])?]);
+        column != self.row && ends().is_some_and(|ends| self.schedule.visibility.are_screened(ends))
+    }
+
+    fn take(&mut self, column: usize, sorted: Sorted) {
+        let (other, counts) = (self.row != column, &mut self.counts);
+        counts.total += usize::from(other || matches!(sorted, Sorted::Task(_) | Sorted::Black));
+        match sorted {
+            Sorted::Coplanar => counts.skipped_coplanar += usize::from(other),
+            Sorted::Behind => counts.skipped_behind += 1,
+            Sorted::Hidden => counts.skipped_hidden += 1,
+            Sorted::Black => counts.skipped_black += 1,
+            Sorted::Task(task) => self.tasks.push(task),
+        }
+    }
+}
+
+/// A planar element as an end of segments.
+fn end(element: &Element) -> Option<End<'_>> {
+    element.plane.map(|plane| End::on(element.surface, plane, &element.hull))
+}
+
 impl Schedule<'_> {
     /// Sorts all pairs and counts those that need no block.
     pub(super) fn sort(&self, ranks: &Ranks) -> (Vec<Task>, PairCounts) {
         let lengths: Vec<f64> = (1..=self.list.len()).rev().map(|length| length as f64).collect();
+        let groups = Groups::new(self.list);
         let rows: Vec<(Vec<Task>, PairCounts)> =
-            ranks.map(PartName::SortedPairs, &lengths, |row| self.sort_row(row));
+            ranks.map(PartName::SortedPairs, &lengths, |row| self.sort_row(row, &groups));
         let mut tasks = Vec::with_capacity(rows.iter().map(|(row, _)| row.len()).sum());
         let mut pairs = PairCounts::default();
         for (row, counts) in rows {
@@ -54,31 +152,18 @@ impl Schedule<'_> {
         all.clone().filter(is_open).collect()
     }
 
-    fn sort_row(&self, row: usize) -> (Vec<Task>, PairCounts) {
-        let (mut tasks, mut counts, mut open) = (Vec::new(), PairCounts::default(), Vec::new());
-        let mut take = |column: usize, sorted: Sorted| {
-            counts.total += usize::from(row != column || matches!(sorted, Sorted::Task(_) | Sorted::Black));
-            match sorted {
-                Sorted::Coplanar => counts.skipped_coplanar += usize::from(row != column),
-                Sorted::Behind => counts.skipped_behind += 1,
-                Sorted::Hidden => counts.skipped_hidden += 1,
-                Sorted::Black => counts.skipped_black += 1,
-                Sorted::Task(task) => tasks.push(task),
+    fn sort_row(&self, row: usize, groups: &Groups) -> (Vec<Task>, PairCounts) {
+        let mut sorting = RowSorting::new(self, row);
+        match (self.list[row].plane, groups.root()) {
+            (Some(plane), Some(root)) => {
+                sorting.visit(groups, root, &plane);
+                let is_curved = |column: &usize| self.list[*column].plane.is_none();
+                (row..self.list.len()).filter(is_curved).for_each(|column| sorting.tell(column));
             }
-        };
-        for column in row..self.list.len() {
-            match self.told_by_planes(row, column) {
-                Some(sorted) => take(column, sorted),
-                None => open.push(column),
-            }
+            _ => (row..self.list.len()).for_each(|column| sorting.tell(column)),
         }
-        let mut screened = self.screened(row, open.clone()).into_iter().peekable();
-        for column in open {
-            let is_screened = screened.next_if_eq(&column).is_some();
-            take(column, if is_screened { Sorted::Hidden } else { self.told_by_blockers(row, column) });
-        }
-        tasks.sort_unstable_by_key(|task| task.column);
-        (tasks, counts)
+        sorting.tasks.sort_unstable_by_key(|task| task.column);
+        (sorting.tasks, sorting.counts)
     }
 
     /// The decision about a pair as far as its planes and contacts tell.
