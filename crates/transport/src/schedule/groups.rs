@@ -26,9 +26,6 @@ const TURN: f64 = 0.5;
 /// pairs.
 const TOUCHING: f64 = 0.5 * COINCIDENT;
 
-/// Cosine between normals above which planes may be one.
-const PARALLEL: f64 = 0.9;
-
 /// The tree of groups.
 pub(super) struct Groups {
     list: Vec<Group>,
@@ -100,14 +97,12 @@ impl Groups {
     /// the other, and not in its plane.
     pub(super) fn are_behind(&self, group: &Group, element: &Element, plane: &Plane) -> bool {
         let margin = self.margin(element);
-        let [low, high] = group.heights_over(plane);
-        if high < -margin {
+        if group.heights_over(plane)[1] < -margin {
             return true;
         }
-        let is_coplanar = low <= margin && group.is_parallel(plane.normal);
         let heights = || element.hull.iter().map(|x| group.heights_of(*x)[1]);
         let touching = TOUCHING * group.narrowest.min(element.extent);
-        !is_coplanar && heights().all(|height| height <= touching) && heights().any(|height| height < -margin)
+        heights().all(|height| height <= touching) && heights().any(|height| height < -margin)
     }
 
     /// Whether all members of a group certainly lie in front of an element in this `plane`, and it in front
@@ -164,13 +159,6 @@ impl Group {
     /// Offset of a plane from the middle of the box, along its normal.
     fn offset(&self, plane: Plane) -> f64 {
         plane.normal.dot(plane.point - self.bounds.center())
-    }
-
-    /// Whether the normal of an element may be parallel to this one.
-    fn is_parallel(&self, normal: DVec3) -> bool {
-        let middle = self.normals.center().dot(normal).abs();
-        let half = (0.5 * (self.normals.max - self.normals.min)).dot(normal.abs());
-        middle + half > PARALLEL
     }
 
     /// Least and largest height of its box over a plane.
