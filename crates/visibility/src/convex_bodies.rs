@@ -74,8 +74,8 @@ struct Edge {
 }
 
 impl Bodies {
-    /// The bodies that `faces`, of which `twins` lie beyond the sides, close in a scene of `surfaces` surfaces
-    /// inside the hull of `cloud`.
+    /// The bodies that `faces` close in a scene of `surfaces` surfaces inside the hull of `cloud`; `twins`
+    /// lie beyond their sides.
     pub(super) fn new(faces: &[Face], twins: &[Vec<Option<usize>>], surfaces: usize, cloud: &Cloud) -> Self {
         let mut bodies = Self { list: Vec::new(), of_surface: vec![None; surfaces] };
         let mut seen = vec![false; faces.len()];

@@ -1,4 +1,5 @@
-//! Sorting of all pairs: into those that exchange nothing, by reasons, and those whose blocks are to be found.
+//! Sorting of all pairs: into those that exchange nothing, by reasons, and those whose blocks are to be
+//! found.
 
 use radiosity_elements::Element;
 use radiosity_geom::{Aabb, Plane};

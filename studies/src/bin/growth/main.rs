@@ -10,6 +10,8 @@
 
 mod family;
 mod halls;
+mod sinks;
+mod balls;
 
 use std::error::Error;
 use std::fs;
@@ -20,7 +22,7 @@ use radiosity_studies::words::words;
 
 use family::{Family, Row};
 
-const FAMILIES: [Family; 2] = [halls::OPEN, halls::CLOSED];
+const FAMILIES: [Family; 4] = [halls::OPEN, halls::CLOSED, sinks::FAMILY, balls::FAMILY];
 
 fn main() -> Result<(), Box<dyn Error>> {
     let chosen = words(&FAMILIES.map(|family| family.name))?;
