@@ -100,9 +100,15 @@ impl Groups {
         if group.heights_over(plane)[1] < -margin {
             return true;
         }
-        let heights = || element.hull.iter().map(|x| group.heights_of(*x)[1]);
-        let touching = TOUCHING * group.narrowest.min(element.extent);
-        heights().all(|height| height <= touching) && heights().any(|height| height < -margin)
+        let (heights, least) =
+            (|| element.hull.iter().map(|x| group.heights_of(*x)[1]), group.touching(element));
+        heights().all(|height| height <= least) && heights().any(|height| height < -margin)
+    }
+
+    /// Whether all members of a group lie in the `plane` of an element.
+    pub(super) fn are_coplanar(&self, group: &Group, element: &Element, plane: &Plane) -> bool {
+        let least = group.touching(element);
+        group.heights_over(plane).iter().all(|height| height.abs() <= least)
     }
 
     /// Whether all members of a group certainly lie in front of an element in this `plane`, and it in front
@@ -159,6 +165,11 @@ impl Group {
     /// Offset of a plane from the middle of the box, along its normal.
     fn offset(&self, plane: Plane) -> f64 {
         plane.normal.dot(plane.point - self.bounds.center())
+    }
+
+    /// Height up to which its members certainly touch an element, or its plane.
+    fn touching(&self, element: &Element) -> f64 {
+        TOUCHING * self.narrowest.min(element.extent)
     }
 
     /// Least and largest height of its box over a plane.
@@ -242,6 +253,10 @@ mod tests {
                     if groups.are_behind(group, element, &plane) {
                         told += 1;
                         prop_assert!(pairs().all(|pair| pair == Planes::Behind));
+                    }
+                    if groups.are_coplanar(group, element, &plane) {
+                        told += 1;
+                        prop_assert!(pairs().all(|pair| pair == Planes::Coplanar));
                     }
                     if groups.are_faced(group, element, &plane) {
                         told += 1;

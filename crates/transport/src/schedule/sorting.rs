@@ -58,6 +58,9 @@ impl<'a> RowSorting<'a> {
         if groups.are_behind(group, element, plane) {
             return self.take_all(groups.members(group), |_, _| Sorted::Behind);
         }
+        if groups.are_coplanar(group, element, plane) {
+            return self.take_all(groups.members(group), |_, _| Sorted::Coplanar);
+        }
         let Some(halves) = group.halves else {
             return groups.members(group).iter().for_each(|column| self.tell(*column));
         };

@@ -34,8 +34,9 @@ fn measure(surfaces: usize) -> Row {
     let text = sink(surfaces / (8 * STRIPS));
     let scene =
         timed(&mut seconds, || language::read(&Source::new("sink", &text)).expect("the sink is sound"));
-    let options = Options { threads: 1, ..Options::default() };
-    timed(&mut seconds, || Visibility::new(&scene, Shadows::Auto, options.accuracy.shadow_eps));
+    let accuracy = radiosity::Options::default().accuracy();
+    let options = Options { subdivide: None, accuracy, shadows: Shadows::Auto, threads: 1 };
+    timed(&mut seconds, || Visibility::new(&scene, Shadows::Auto, accuracy.shadow_eps));
     let factors = timed(&mut seconds, || ViewFactors::new(&scene, &options, &Work::alone()));
     factors.expect("all surfaces have area");
     Row { surfaces: scene.surfaces.len(), seconds }
