@@ -235,7 +235,7 @@ mod tests {
     }
 
     proptest! {
-        /// What is told of a group holds for each of its pairs; boxes on a grid touch each other's planes.
+        /// Each pair of a group is told the same alone; boxes on a grid touch each other's planes.
         #[test]
         fn what_is_told_of_groups_is_told_of_their_pairs(
             triangles in prop::collection::vec(triangle(), 1..12),
