@@ -308,7 +308,7 @@ mod tests {
     proptest! {
         #![proptest_config(ProptestConfig::with_cases(400))]
 
-        /// No segment passes a screen that is told to close, be a triangle missing or bumps as high as the ends.
+        /// No segment passes a screen that is told to close, be a triangle missing or bumps as high as ends.
         #[test]
         fn what_a_screen_closes_no_segment_passes(
             heights in heights(), a in end(-0.9), b in end(0.9), missing in 0..4 * CELLS * CELLS,
