@@ -13,7 +13,7 @@ use super::basis::AreaBasis;
 use super::fault::ElementError;
 use super::frame::Frame;
 use super::measure::Measure;
-use super::patch::Patch;
+use super::patch::{Patch, plane_of};
 use super::rule::UnitRule;
 use super::space::Space;
 
@@ -28,8 +28,10 @@ pub struct Element {
     pub basis: AreaBasis,
     /// Disjoint patches that cover it.
     pub patches: Vec<Patch>,
-    /// Its plane, where it is flat.
+    /// Its plane, where it is a polygon.
     pub plane: Option<Plane>,
+    /// The plane in which all of it lies, facing one way: of discs too.
+    pub level: Option<Plane>,
     /// Area (scene length²).
     pub area: f64,
     /// c_k = ∫ φ_k dA, the coefficients of the constant 1.
@@ -154,7 +156,20 @@ pub(super) fn element(
         None => shape.hull(&rect),
     };
     let extent = Aabb::around(hull.iter().copied()).diagonal();
-    Ok(Some(Element { surface: index, rect, basis, patches, plane, area, constant, hull, extent, contact }))
+    let level = plane.or_else(|| plane_of(&patches));
+    Ok(Some(Element {
+        surface: index,
+        rect,
+        basis,
+        patches,
+        plane,
+        level,
+        area,
+        constant,
+        hull,
+        extent,
+        contact,
+    }))
 }
 
 /// The patches of the part of flat `pieces` over `rect`, those below 1e-14 of the surface's `area` left out,

@@ -8,7 +8,7 @@
 
 use std::sync::Arc;
 
-use radiosity_geom::{DVec2, DVec3, ROUNDING, Rect, Surface};
+use radiosity_geom::{DVec2, DVec3, Plane, ROUNDING, Rect, Surface, touching};
 
 /// A piece of an element charted by the unit square.
 #[derive(Clone, Debug)]
@@ -186,6 +186,16 @@ impl Patch {
         [a.distance(b).max(d.distance(c)), a.distance(d).max(b.distance(c))]
     }
 
+    /// Smallest lengths along s and along t, of sides of a curved patch (scene length); a flat one has its
+    /// extents.
+    pub fn narrowest(&self) -> [f64; 2] {
+        if self.is_flat() {
+            return self.extents();
+        }
+        let [a, b, c, d] = self.corners();
+        [a.distance(b).min(d.distance(c)), a.distance(d).min(b.distance(c))]
+    }
+
     /// The direction of the larger extent, and that extent.
     pub fn longest(&self) -> (Direction, f64) {
         let [along, across] = self.extents();
@@ -291,6 +301,19 @@ impl Patch {
         let (low, high) = (origin.min(*origin + *along + *across), origin.max(*origin + *along + *across));
         Rect { u: [low.x, high.x], v: [low.y, high.y] }
     }
+}
+
+/// The common plane of patches that all lie in one and face the same way.
+pub fn plane_of(patches: &[Patch]) -> Option<Plane> {
+    let places =
+        |patch: &Patch| if patch.is_flat() { vec![patch.node(0.0, 0.0)] } else { patch.cell_nodes(3) };
+    let mut all = patches.iter().flat_map(places);
+    let first = all.next()?;
+    let is_level = |x: Node| {
+        let d = x.position - first.position;
+        x.normal.distance(first.normal) <= ROUNDING && d.dot(first.normal).abs() <= touching(d.length(), 0.0)
+    };
+    all.all(is_level).then_some(Plane { point: first.position, normal: first.normal })
 }
 
 #[cfg(test)]

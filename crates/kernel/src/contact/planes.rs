@@ -1,21 +1,7 @@
 //! Relative position of the planes of two elements.
 
 use radiosity_elements::Element;
-use radiosity_elements::patch::{Node, Patch};
-use radiosity_geom::{DVec3, Plane, ROUNDING, touching};
-
-/// The common plane of patches that all lie in one and face the same way.
-pub fn plane_of(patches: &[Patch]) -> Option<Plane> {
-    let places =
-        |patch: &Patch| if patch.is_flat() { vec![patch.node(0.0, 0.0)] } else { patch.cell_nodes(3) };
-    let mut all = patches.iter().flat_map(places);
-    let first = all.next()?;
-    let is_level = |x: Node| {
-        let d = x.position - first.position;
-        x.normal.distance(first.normal) <= ROUNDING && d.dot(first.normal).abs() <= touching(d.length(), 0.0)
-    };
-    all.all(is_level).then_some(Plane { point: first.position, normal: first.normal })
-}
+use radiosity_geom::{DVec3, Plane, touching};
 
 /// Exchange of light between two elements, as far as their planes tell.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -34,11 +20,11 @@ const FAR: f64 = 1.001;
 
 /// Elements of one planar surface count as coplanar, however their planes were rounded.
 pub fn of(receiver: &Element, emitter: &Element) -> Planes {
-    if receiver.surface == emitter.surface && receiver.plane.is_some() {
+    if receiver.surface == emitter.surface && receiver.level.is_some() {
         return Planes::Coplanar;
     }
     let extent = receiver.extent.min(emitter.extent);
-    for (plane, other) in [(&receiver.plane, emitter), (&emitter.plane, receiver)] {
+    for (plane, other) in [(&receiver.level, emitter), (&emitter.level, receiver)] {
         let Some(plane) = plane else { continue };
         let [low, high] = heights(plane, other, extent);
         if high <= 0.0 {

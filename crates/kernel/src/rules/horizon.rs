@@ -64,12 +64,11 @@ use std::sync::Arc;
 
 use radiosity_elements::basis::AreaBasis;
 use radiosity_elements::measure::WeightedNode;
-use radiosity_elements::patch::{Node, Patch};
+use radiosity_elements::patch::{Node, Patch, plane_of};
 use radiosity_elements::rule::MOST_POINTS;
 use radiosity_work::interruption::check_interrupt;
 
 use crate::contact::orientation::{Facing, facing};
-use crate::contact::planes::plane_of;
 use crate::estimates::entry_norm::EntryNorm;
 use crate::rules::zone::Zone;
 use crate::tolerances::{ERROR_OF_FINER_RULE, MOST_TRIMS, SHARE_OF_CLIMB};

@@ -420,6 +420,7 @@ pub(super) mod tests {
             constant: Vec::new(),
             hull: Vec::new(),
             plane: None,
+            level: None,
             extent: 2.0,
             contact: None,
             area,

@@ -79,9 +79,8 @@ mod pair;
 use std::f64::consts::FRAC_1_SQRT_2;
 
 use radiosity_elements::Element;
-use radiosity_elements::patch::Patch;
+use radiosity_elements::patch::{Patch, plane_of};
 use radiosity_kernel::contact::patches::Contact;
-use radiosity_kernel::contact::planes::plane_of;
 use radiosity_kernel::contact::sectors::sectors;
 use radiosity_kernel::estimates::coarse::{largest_kernel, scale};
 use radiosity_kernel::estimates::entry_bounds::SMALLEST_ENTRY;

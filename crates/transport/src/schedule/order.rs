@@ -16,7 +16,6 @@ use std::cmp::Ordering;
 use radiosity_elements::Element;
 use radiosity_elements::patch::Node;
 use radiosity_geom::DVec3;
-use radiosity_kernel::contact::planes::plane_of;
 
 /// Parameters of the compared point on each patch: arbitrary, but off symmetry lines, so that mirror images
 /// differ.
@@ -40,7 +39,7 @@ enum Class {
 
 impl Precedence {
     pub(crate) fn of(element: &Element) -> Self {
-        let class = match (element.plane, plane_of(&element.patches)) {
+        let class = match (element.plane, element.level) {
             (Some(_), _) => Class::Polygon,
             (None, Some(_)) => Class::Rounded,
             (None, None) => Class::Curved,
