@@ -47,9 +47,9 @@ use crate::rules::common_edge::table::EdgeTable;
 use crate::rules::far;
 use crate::tolerances::SMALLEST_SIGMA_OF_EDGE;
 
-/// Largest ratio among edge and depths for which the rule is used; beyond it the pair is split. At 2.5 a
-/// point gives 2 log₁₀ ϱ = 0.8 digits, on equal extents at a right angle 1.3. With a larger
-/// value more points are needed, with a smaller one more pairs.
+/// Largest ratio among edge and depths, those of curved patches at their narrower ends, for which the rule is
+/// used; beyond it the pair is split. At 2.5 a point gives 2 log₁₀ ϱ = 0.8 digits, on equal extents at a
+/// right angle 1.3. With a larger value more points are needed, with a smaller one more pairs.
 pub const LARGEST_ASPECT: f64 = 2.5;
 
 /// Shape of a pair with a common edge.
@@ -59,6 +59,8 @@ pub struct EdgePair {
     pub length: f64,
     /// Extents of receiver and emitter across the edge.
     pub depths: [f64; 2],
+    /// The least of them at an end of the edge.
+    pub narrowest: f64,
     /// Cosine of the dihedral angle.
     pub cosine: f64,
 }
@@ -73,13 +75,19 @@ impl EdgePair {
         let edge = (p.node(1.0, 0.0).position - p.node(0.0, 0.0).position).normalize();
         let upright = |v: DVec3| (v - edge * v.dot(edge)).normalize_or_zero();
         let length = p.node(0.0, 0.0).position.distance(p.node(1.0, 0.0).position).min(along);
-        Self { length, depths, cosine: upright(inward(p)).dot(upright(inward(q))).clamp(-1.0, 1.0) }
+        let narrowest = p.narrowest()[1].min(q.narrowest()[1]);
+        Self {
+            length,
+            depths,
+            narrowest,
+            cosine: upright(inward(p)).dot(upright(inward(q))).clamp(-1.0, 1.0),
+        }
     }
 
     /// Largest over smallest of edge and depths.
     pub fn aspect(&self) -> f64 {
-        let all = [self.length, self.depths[0], self.depths[1]];
-        all.iter().copied().fold(0.0, f64::max) / all.iter().copied().fold(f64::INFINITY, f64::min)
+        let [first, second] = self.depths;
+        self.length.max(first).max(second) / self.length.min(self.narrowest)
     }
 
     /// Convergence rate ϱ in the angular variables a and b; σ is kept above 1 so that ln ϱ > 0.

@@ -11,7 +11,7 @@
 //!
 //! it is analytic in x, a, y, y' ∈ [0, 1]. Two of the four signs of (u − s, v − t) follow by exchanging the
 //! points: the block is H + Hᵀ, and this rule sums H. The nearest singularity in a is a = ±iq, a complex
-//! direction in which both points meet, with q the smaller over the larger extent. Hence
+//! direction in which both points meet, with q the smallest over the largest side. Hence
 //!
 //! ```text
 //! n_a = ⌈ N/2 + ln(1/ε) / (2 ln ϱ) ⌉ + 1 ,  ϱ = σ + √(σ² − 1) ,  σ = q + √(1 + q²) .
@@ -31,8 +31,8 @@ use crate::rules::far;
 
 /// Numbers of points [x, a, y] for polynomials of degree `degree` on a patch whose chart adds `chart` points.
 pub fn counts(patch: &Patch, degree: usize, chart: usize, eps: f64) -> [usize; 3] {
-    let [along, across] = patch.extents();
-    let q = along.min(across) / along.max(across);
+    let ([along, across], [thin, low]) = (patch.extents(), patch.narrowest());
+    let q = thin.min(low) / along.max(across);
     let sigma = q + (1.0 + q * q).sqrt();
     let rho = sigma + (sigma * sigma - 1.0).sqrt();
     [degree + 1 + chart, far::points(degree, eps, rho) + 1, degree + 1 + chart]

@@ -68,10 +68,10 @@ impl Job<'_> {
 /// The direction in which to halve a patch: towards its tips, where it is slender, or where it is doubtful;
 /// None where its rule covers it.
 fn cut_of(patch: &Patch, tips: &[usize], doubtful: bool) -> Option<Direction> {
-    let [along, across] = patch.extents();
+    let ([along, across], [thin, low]) = (patch.extents(), patch.narrowest());
     match tips.first() {
         Some(side) => Some(if side % 2 == 0 { Direction::Across } else { Direction::Along }),
-        _ if along.max(across) > LARGEST_ASPECT * along.min(across) || doubtful => Some(patch.longest().0),
+        _ if along.max(across) > LARGEST_ASPECT * thin.min(low) || doubtful => Some(patch.longest().0),
         _ => None,
     }
 }
