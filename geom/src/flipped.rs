@@ -1,6 +1,6 @@
 //! A surface turned over: same points, same parameters, front and back exchanged.
 
-use crate::{Aabb, ConvexSolid, Foot, Hit, Jet, PlanarRegion, Ray, Rect, ShapeError, Surface};
+use crate::{Aabb, ConvexSolid, Foot, Hit, Jet, PlanarRegion, Ray, Rect, ShapeError, Surface, TangentPlanes};
 use glam::DVec3;
 
 /// The surface `base` with its normal reversed. Parameters and tangents stay, so that here the normal is −x_u
@@ -43,6 +43,10 @@ impl Surface for Flipped {
 
     fn solid(&self) -> Option<ConvexSolid> {
         self.base.solid()
+    }
+
+    fn tangent_planes(&self) -> Option<TangentPlanes> {
+        self.base.tangent_planes()
     }
 
     fn region(&self) -> Option<&PlanarRegion> {

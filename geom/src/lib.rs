@@ -19,6 +19,7 @@
 mod tolerances;
 
 mod aabb;
+mod arc;
 mod bernstein;
 mod clip;
 mod hull;
@@ -36,8 +37,11 @@ mod touch;
 mod zeros;
 
 mod bvh;
-mod convex_solid;
+mod outline;
 mod region;
+mod tangent_planes;
+
+mod convex_solid;
 
 mod surface;
 
@@ -64,6 +68,7 @@ pub use flipped::Flipped;
 pub use glam::{DQuat, DVec2, DVec3};
 pub use hull::extreme_points;
 pub use motion::Motion;
+pub use outline::Outline;
 pub use patch::{Border, Patch};
 pub use placed::Placed;
 pub use plane::Plane;
@@ -75,6 +80,7 @@ pub use rounding::{coordinate_rounding, unit_roundoff};
 pub use separated::separated;
 pub use shape_error::ShapeError;
 pub use surface::{Foot, Jet, Surface};
+pub use tangent_planes::TangentPlanes;
 pub use tolerances::{
     COINCIDENT, LOOSE, NO_AREA, PARALLEL_DIRECTIONS, PARALLEL_PLANES, PLANARITY, ROUNDING, ROUNDING_OF_AREAS,
     ROUNDINGS_OF_PLANE, ROUNDOFF_OF_DOUBLE,

@@ -3,7 +3,9 @@
 //! Such a motion maps tangents by σ R, normals by R, areas by σ². A ray is carried back and the base is hit
 //! where the moved surface is: t stays the same, since the direction is carried back unnormalised.
 
-use crate::{Aabb, ConvexSolid, Foot, Hit, Jet, Motion, PlanarRegion, Ray, Rect, ShapeError, Surface};
+use crate::{
+    Aabb, ConvexSolid, Foot, Hit, Jet, Motion, PlanarRegion, Ray, Rect, ShapeError, Surface, TangentPlanes,
+};
 use glam::DVec3;
 
 /// The surface `base` after a motion; parameters and front go with it.
@@ -65,6 +67,10 @@ impl Surface for Placed {
 
     fn solid(&self) -> Option<ConvexSolid> {
         self.base.solid().map(|solid| solid.moved(&self.motion))
+    }
+
+    fn tangent_planes(&self) -> Option<TangentPlanes> {
+        self.base.tangent_planes().map(|planes| planes.moved(&self.motion))
     }
 
     fn region(&self) -> Option<&PlanarRegion> {

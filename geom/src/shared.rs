@@ -1,6 +1,6 @@
 //! A surface shared by several holders is a surface.
 
-use crate::{Aabb, ConvexSolid, Foot, Hit, Jet, PlanarRegion, Ray, Rect, ShapeError, Surface};
+use crate::{Aabb, ConvexSolid, Foot, Hit, Jet, PlanarRegion, Ray, Rect, ShapeError, Surface, TangentPlanes};
 use glam::DVec3;
 use std::sync::Arc;
 
@@ -24,6 +24,10 @@ impl<S: Surface + ?Sized> Surface for Arc<S> {
 
     fn ball(&self) -> Option<(DVec3, f64)> {
         (**self).ball()
+    }
+
+    fn tangent_planes(&self) -> Option<TangentPlanes> {
+        (**self).tangent_planes()
     }
 
     fn solid(&self) -> Option<ConvexSolid> {

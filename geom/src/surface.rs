@@ -5,7 +5,7 @@
 //! everything else follows from these three, and a shape replaces what it knows in closed form.
 
 use crate::tolerances::ROUNDING;
-use crate::{Aabb, ConvexSolid, Hit, PlanarRegion, Ray, Rect, ShapeError};
+use crate::{Aabb, ConvexSolid, Hit, PlanarRegion, Ray, Rect, ShapeError, TangentPlanes};
 use glam::DVec3;
 use radiosity_core::gauss::{Legendre, Rule};
 use std::fmt::Debug;
@@ -74,6 +74,12 @@ pub trait Surface: Debug + Send + Sync {
 
     /// The convex solid on whose boundary the surface lies, where it is known.
     fn solid(&self) -> Option<ConvexSolid> {
+        None
+    }
+
+    /// The tangent planes, where they are known all at once and make no [solid](Surface::solid) of closed
+    /// form.
+    fn tangent_planes(&self) -> Option<TangentPlanes> {
         None
     }
 

@@ -7,6 +7,7 @@ mod balls;
 mod contour;
 mod convex_rooms;
 mod curved;
+mod dented_rooms;
 mod empty_box;
 mod flat;
 mod furnace;

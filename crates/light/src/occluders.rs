@@ -75,6 +75,10 @@ impl Occluders {
         let is_ground =
             |other: usize| surface.is_some_and(|surface| own(other, surface) || is_of_body(other, surface));
         obstacles.retain(|other| !is_ground(*other) && rises(visibility.hull(*other)));
+        let holds_site = |other: &usize| match surface {
+            Some(surface) => visibility.encloses(*other, surface),
+            None => visibility.contains(*other, site),
+        };
         let mut places = Vec::new();
         let ranges = senders.map(|sender| {
             if !rises(&sender.bounds.corners()) || !is_before(site, &sender) {
@@ -86,11 +90,15 @@ impl Occluders {
                 let reaches = visibility.bounds_of(obstacles[*place]).overlaps(&shaft);
                 let itself = obstacles[*place] == visibility.sheet(sender.surface) && within(&sender);
                 let touches = || is_of_body(obstacles[*place], sender.surface);
+                let holds_both = || {
+                    visibility.encloses(obstacles[*place], sender.surface) && holds_site(&obstacles[*place])
+                };
                 reaches
                     && is_before(hull, &sender)
                     && !itself
                     && !own(obstacles[*place], sender.surface)
                     && !touches()
+                    && !holds_both()
             };
             let start = places.len();
             places.extend((0..obstacles.len()).filter(stands));

@@ -138,8 +138,10 @@ impl Visibility {
     /// As [`Visibility::candidates`] between a part of `surface`, in the hull `a`, and points that lie on no
     /// surface.
     pub fn candidates_before_points(&self, a: &[DVec3], points: &[DVec3], surface: usize) -> Vec<usize> {
-        let found = self.standing_between(a, points, [surface; 2]);
-        self.narrow(&found, a, points)
+        let mut found = self.standing_between(a, points, [surface; 2]);
+        found = self.narrow(&found, a, points);
+        found.retain(|index| !(self.encloses(*index, surface) && self.contains(*index, points)));
+        found
     }
 
     /// The surfaces that reach into the box around two hulls and can stand between others, ascending: without
@@ -162,12 +164,17 @@ impl Visibility {
     }
 
     /// Whether a surface lies on the boundary of a convex solid within which another one lies: it hides
-    /// nothing from there.
+    /// nothing between places within.
     pub fn encloses(&self, surface: usize, other: usize) -> bool {
         let own = &self.obstacles[surface];
         let all =
             || (0..self.obstacles.len()).filter(|index| own.encloses(&self.obstacles[*index])).collect();
-        own.solid.is_some() && own.enclosed.get_or_init(all).binary_search(&other).is_ok()
+        own.pieces.is_none() && own.enclosed.get_or_init(all).binary_search(&other).is_ok()
+    }
+
+    /// Whether a surface lies on the boundary of a convex solid that points belong to.
+    pub fn contains(&self, surface: usize, points: &[DVec3]) -> bool {
+        self.obstacles[surface].contains(points)
     }
 
     /// `surfaces` sorted by their coordinates, so that the order does not depend on the scene's list.
@@ -407,8 +414,9 @@ fn standing(obstacles: &[Obstacle], cloud: &Cloud, boxes: &[Aabb], eps: f64) -> 
         high - low <= touching(size, 0.0).max(eps * size)
             && (cloud.lies_below(-low, &reversed, size) || cloud.lies_below(high, &tangent, size))
     };
-    let encloses_all = |index: &usize| obstacles.iter().all(|other| obstacles[*index].encloses(other));
-    (0..obstacles.len()).filter(|index| !walls_in(index) && !encloses_all(index)).collect()
+    (0..obstacles.len())
+        .filter(|index| !walls_in(index) && !obstacles[*index].encloses_all(obstacles))
+        .collect()
 }
 
 /// The convex bodies that surfaces close, and the surfaces as parts of screens.

@@ -18,6 +18,11 @@ const LOOKS: usize = 5;
 /// throw on themselves are lost; with a larger one more surfaces need a mesh.
 const ALIKE: f64 = 0.9999;
 
+/// Part of a surface's size by which a point may lie beyond its sampled tangent planes so that its solid is
+/// asked: more than what touches, as that is weighted by the area element. With a larger value more solids
+/// are made for nothing.
+const ROUGHLY: f64 = 1e-3;
+
 /// A surface with its data for visibility tests.
 #[derive(Debug)]
 pub(super) struct Obstacle {
@@ -27,8 +32,8 @@ pub(super) struct Obstacle {
     pub(super) ball: Ball,
     /// Convex pieces of a planar obstacle; a single piece can hide a whole pair.
     pub(super) pieces: Option<Vec<Vec<DVec3>>>,
-    /// The convex solid on whose boundary it lies, if it is known.
-    pub(super) solid: Option<ConvexSolid>,
+    /// The convex solid on whose boundary it lies, if it is known; made when first needed.
+    solid: OnceLock<Option<ConvexSolid>>,
     /// The surfaces within that solid, ascending; found when first needed.
     pub(super) enclosed: OnceLock<Vec<usize>>,
     /// Position relative to its own tangent planes.
@@ -46,15 +51,70 @@ impl Obstacle {
         let jets = if pieces.is_some() { Vec::new() } else { looks(shape.as_ref()) };
         let bend = Bend::of(&jets);
         let looks = jets.iter().map(|jet| Plane { point: jet.position, normal: jet.normal }).collect();
-        let (shape, ball, solid) = (Arc::clone(shape), Ball::around(&hull), shape.solid());
-        let (enclosed, mesh) = (OnceLock::new(), OnceLock::new());
+        let (shape, ball) = (Arc::clone(shape), Ball::around(&hull));
+        let (solid, enclosed, mesh) = (OnceLock::new(), OnceLock::new(), OnceLock::new());
         Self { shape, ball, hull, pieces, solid, enclosed, bend, looks, mesh }
     }
 
-    /// Whether it lies on the boundary of a convex solid within which the other one lies.
+    /// Whether it lies on the boundary of a convex solid within which the other one lies. It lies within its
+    /// own where it does not bend both ways.
     pub(super) fn encloses(&self, other: &Self) -> bool {
-        let tolerance = COINCIDENT * self.ball.radius();
-        self.solid.is_some_and(|solid| lies_within(&*other.shape, &solid, tolerance))
+        self.may_enclose(other) && self.solid().is_some_and(|solid| self.is_around(other, solid))
+    }
+
+    /// Whether it lies on the boundary of a convex solid within which all of a scene lies; only then its
+    /// tangent planes are asked, if it has no solid of closed form, as that takes a thousand times as long.
+    pub(super) fn encloses_all(&self, scene: &[Self]) -> bool {
+        if !scene.iter().all(|other| self.may_enclose(other)) {
+            return false;
+        }
+        let of_planes = || self.shape.tangent_planes().map(|planes| ConvexSolid::Patch(Box::new(planes)));
+        let solid = self.shape.solid().or_else(of_planes);
+        let encloses =
+            solid.as_ref().is_some_and(|solid| scene.iter().all(|other| self.is_around(other, solid)));
+        if encloses {
+            self.solid.get_or_init(|| solid);
+            self.enclosed.get_or_init(|| (0..scene.len()).collect());
+        }
+        encloses
+    }
+
+    fn is_around(&self, other: &Self, solid: &ConvexSolid) -> bool {
+        match std::ptr::eq(self, other) {
+            true => self.bend != Bend::Mixed,
+            false => lies_within(&*other.shape, solid, self.touching()),
+        }
+    }
+
+    /// Whether sampled points of another one suggest that it encloses it.
+    pub(super) fn may_enclose(&self, other: &Self) -> bool {
+        let of_curved = other.looks.iter().map(|look| look.point);
+        let of_planar = other.pieces.iter().flat_map(|_| other.hull.iter().copied());
+        self.may_contain(of_curved.chain(of_planar))
+    }
+
+    /// Whether it lies on the boundary of a convex solid that the points belong to.
+    pub(super) fn contains(&self, points: &[DVec3]) -> bool {
+        self.may_contain(points.iter().copied())
+            && self.solid().is_some_and(|solid| points.iter().all(|x| solid.excess(*x) <= self.touching()))
+    }
+
+    /// Whether points lie on one side of the tangent planes at the sampled points, at least nearly.
+    fn may_contain(&self, mut points: impl Iterator<Item = DVec3> + Clone) -> bool {
+        let room = ROUGHLY * self.ball.radius();
+        let heights = |point: DVec3| self.looks.iter().map(move |look| look.height(point));
+        self.pieces.is_none()
+            && (points.clone().all(|x| heights(x).all(|height| height >= -room))
+                || points.all(|x| heights(x).all(|height| height <= room)))
+    }
+
+    fn solid(&self) -> Option<&ConvexSolid> {
+        self.solid.get_or_init(|| self.shape.solid()).as_ref()
+    }
+
+    /// How far outside its solid a point may lie (length).
+    fn touching(&self) -> f64 {
+        COINCIDENT * self.ball.radius()
     }
 
     /// Whether it is one flat convex piece.

@@ -1,16 +1,21 @@
 //! Whether a surface lies within a convex solid.
 //!
 //! The distance e from the boundary ([`ConvexSolid::excess`]) is convex, so that of a polygon the corners
-//! decide. Of a curved surface e is known at a grid of points. Three of them in a line, a step apart, bend by
+//! decide, and grows over a distance by no more than that, so that most of a curved surface that lies well
+//! within is known by a few points. Of the rest e is known at a grid of points. Three of them in a line, a
+//! step apart, bend by
 //!
 //! ```text
 //! d = 2 e₀ − e₊ − e₋ ,      and between them e rises by (e₊ − e₋)²/(8 d) ≤ d/2
 //! ```
 //!
-//! over the middle one, as far as e is the parabola through them. Where d could lift e over the tolerance, and
-//! is itself above it, the top is climbed to by parabolas of ever shorter steps, along both parameters in turn.
+//! over the middle one, as far as e is the parabola through them. Where d could lift e over the tolerance,
+//! and is itself above it, the top is climbed to by parabolas of ever shorter steps, along both parameters in
+//! turn.
 
-use radiosity_geom::{ConvexSolid, Surface};
+use std::collections::{BTreeSet, HashMap};
+
+use radiosity_geom::{Aabb, ConvexSolid, DVec3, Rect, Surface};
 
 /// Points along each parameter of a curved surface: eleven degrees apart on a full turn.
 const POINTS: usize = 33;
@@ -21,13 +26,20 @@ const STEPS: usize = 20;
 
 /// Whether no point of `shape` is farther outside of `solid` than `tolerance` (length).
 pub(super) fn lies_within(shape: &dyn Surface, solid: &ConvexSolid, tolerance: f64) -> bool {
-    if solid.excess(shape.jet(0.0, 0.0).position) > tolerance {
-        return false;
-    }
+    let is_low = |point: &DVec3| solid.excess(*point) <= tolerance;
     match shape.region() {
-        Some(region) => region.outer().iter().all(|corner| solid.excess(*corner) <= tolerance),
-        None => Excess { shape, solid, tolerance }.stays_low(),
+        Some(region) => region.outer().iter().all(is_low),
+        None => {
+            is_low(&shape.jet(0.0, 0.0).position)
+                && (shape.hull(&Rect::FULL).iter().all(is_low)
+                    || Excess { shape, solid, tolerance }.stays_low())
+        }
     }
+}
+
+/// The parameter of a point of the grid.
+fn place(k: usize) -> f64 {
+    2.0 * k as f64 / (POINTS - 1) as f64 - 1.0
 }
 
 /// The distance of a curved surface from the boundary.
@@ -44,27 +56,61 @@ impl Excess<'_> {
 
     /// Whether no point is higher than the tolerance.
     fn stays_low(&self) -> bool {
-        let place = |k: usize| 2.0 * k as f64 / (POINTS - 1) as f64 - 1.0;
-        let places = || (0..POINTS).flat_map(|k| (0..POINTS).map(move |l| [k, l]));
-        let grid: Vec<f64> = places().map(|at| self.at(at.map(place))).collect();
-        let on_grid = |[k, l]: [usize; 2]| grid[k * POINTS + l];
-        if grid.iter().any(|height| *height > self.tolerance) {
+        let mut open = Vec::new();
+        if !self.stays_low_in([0, 0], POINTS - 1, &mut open) {
             return false;
         }
-        let may_rise = |[k, l]: [usize; 2], axis: usize| {
-            let middle = [k, l][axis];
-            if middle == 0 || middle == POINTS - 1 {
-                return false;
-            }
-            let beside = |index: usize| on_grid(if axis == 0 { [index, l] } else { [k, index] });
-            let three = [beside(middle - 1), on_grid([k, l]), beside(middle + 1)];
-            let bend = 2.0 * three[1] - three[0] - three[2];
-            let highest = three.into_iter().fold(f64::NEG_INFINITY, f64::max);
-            bend > self.tolerance && highest + bend > self.tolerance
-        };
-        places().all(|at| {
-            !(0..2).any(|axis| may_rise(at, axis)) || self.top_near(at.map(place)) <= self.tolerance
+        let mut known = HashMap::new();
+        let mut height = |at: [usize; 2]| *known.entry(at).or_insert_with(|| self.at(at.map(place)));
+        let corners = open.iter().flat_map(|[k, l]| [[*k, *l], [k + 1, *l], [*k, l + 1], [k + 1, l + 1]]);
+        let places: BTreeSet<[usize; 2]> = corners.collect();
+        places.into_iter().all(|at| {
+            height(at) <= self.tolerance
+                && (!(0..2).any(|axis| self.may_rise(at, axis, &mut height))
+                    || self.top_near(at.map(place)) <= self.tolerance)
         })
+    }
+
+    /// Whether nothing is seen to be higher than the tolerance in the square of cells from `corner` on; cells
+    /// of the grid that may hold such a point are added to `open`. Over a distance the height grows by no
+    /// more than that.
+    fn stays_low_in(&self, corner: [usize; 2], size: usize, open: &mut Vec<[usize; 2]>) -> bool {
+        if size == 1 {
+            open.push(corner);
+            return true;
+        }
+        let [u, v] = corner.map(|k| [place(k), place(k + size)]);
+        let rect = Rect { u, v };
+        let [u, v] = rect.center();
+        let middle = self.shape.jet(u, v).position;
+        let Aabb { min, max } = self.shape.bounds(&rect);
+        let height = self.solid.excess(middle);
+        if height > self.tolerance {
+            return false;
+        }
+        if height + (middle - min).max(max - middle).length() <= self.tolerance {
+            return true;
+        }
+        let half = size / 2;
+        let quarters = [[0, 0], [half, 0], [0, half], [half, half]];
+        quarters.iter().all(|[k, l]| self.stays_low_in([corner[0] + k, corner[1] + l], half, open))
+    }
+
+    /// Whether the parabola along an axis through three places, the middle one `at`, may rise over the
+    /// tolerance.
+    fn may_rise(&self, at: [usize; 2], axis: usize, height: &mut impl FnMut([usize; 2]) -> f64) -> bool {
+        let middle = at[axis];
+        if middle == 0 || middle == POINTS - 1 {
+            return false;
+        }
+        let mut three = [middle - 1, middle, middle + 1].map(|index| {
+            let mut beside = at;
+            beside[axis] = index;
+            height(beside)
+        });
+        let bend = 2.0 * three[1] - three[0] - three[2];
+        three.sort_by(f64::total_cmp);
+        bend > self.tolerance && three[2] + bend > self.tolerance
     }
 
     /// The height of the top near a place.
@@ -98,13 +144,16 @@ impl Excess<'_> {
 #[cfg(test)]
 mod tests {
     use proptest::prelude::*;
-    use radiosity_geom::DVec3;
+    use radiosity_geom::Outline;
     use radiosity_geom::shapes::{Disk, FULL_TURN, Sphere};
 
     use super::*;
 
-    const TUBE: ConvexSolid =
-        ConvexSolid::Cone { origin: DVec3::ZERO, axis: DVec3::Z, radius: 1.0, slope: 0.0 };
+    const TUBE: ConvexSolid = ConvexSolid::Turned {
+        origin: DVec3::ZERO,
+        axis: DVec3::Z,
+        outline: Outline::Line { radius: 1.0, slope: 0.0 },
+    };
 
     /// A disc of radius r tilted by t about x reaches r from the axis along x, r cos t along y; shifted by
     /// (a, b) it reaches farthest where |(a + r cos φ, b + r cos t sin φ)| is greatest.

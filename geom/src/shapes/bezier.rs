@@ -10,7 +10,7 @@
 use super::check_finite;
 use super::net::{check_area, jet, part, sample};
 use super::tiles::Tiles;
-use crate::{Aabb, Hit, Jet, Ray, Rect, ShapeError, Surface};
+use crate::{Aabb, Hit, Jet, Ray, Rect, ShapeError, Surface, TangentPlanes};
 use glam::DVec3;
 
 /// A bicubic patch, as in the Utah teapot.
@@ -47,6 +47,10 @@ impl Surface for Bezier {
                 .into_iter()
                 .flat_map(|quarter| part(&self.points, &quarter).into_iter().flatten()),
         )
+    }
+
+    fn tangent_planes(&self) -> Option<TangentPlanes> {
+        Some(TangentPlanes::new(&self.points.map(|row| row.map(|p| p.extend(1.0)))))
     }
 
     fn intersect(&self, ray: &Ray) -> Option<Hit> {

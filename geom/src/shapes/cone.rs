@@ -10,7 +10,7 @@
 use super::turn::{Profile, Turn};
 use super::{check_finite, check_not_negative};
 use crate::roots::quadratic;
-use crate::{Aabb, ConvexSolid, Hit, Jet, Ray, Rect, ShapeError, Surface};
+use crate::{Aabb, ConvexSolid, Hit, Jet, Outline, Ray, Rect, ShapeError, Surface};
 use glam::DVec3;
 
 /// The wall of a circular cone or frustum, or a strip of it.
@@ -92,7 +92,7 @@ impl Surface for Cone {
     fn solid(&self) -> Option<ConvexSolid> {
         let (origin, axis) = (self.turn.origin, self.turn.axis());
         let slope = (self.radius2 - self.radius1) / self.height;
-        Some(ConvexSolid::Cone { origin, axis, radius: self.radius1, slope })
+        Some(ConvexSolid::Turned { origin, axis, outline: Outline::Line { radius: self.radius1, slope } })
     }
 
     fn intersect(&self, ray: &Ray) -> Option<Hit> {

@@ -7,7 +7,7 @@
 
 use super::turn::{Profile, Turn};
 use super::{check_finite, check_positive};
-use crate::{Aabb, ConvexSolid, Hit, Jet, Ray, Rect, ShapeError, Surface};
+use crate::{Aabb, ConvexSolid, Hit, Jet, Outline, Ray, Rect, ShapeError, Surface};
 use glam::DVec3;
 
 /// The wall of a circular cylinder, or a strip of it.
@@ -45,7 +45,7 @@ impl Surface for Cylinder {
 
     fn solid(&self) -> Option<ConvexSolid> {
         let (origin, axis) = (self.turn.origin, self.turn.axis());
-        Some(ConvexSolid::Cone { origin, axis, radius: self.radius, slope: 0.0 })
+        Some(ConvexSolid::Turned { origin, axis, outline: Outline::Line { radius: self.radius, slope: 0.0 } })
     }
 
     fn intersect(&self, ray: &Ray) -> Option<Hit> {

@@ -9,8 +9,8 @@ use super::check_edge;
 use super::fold::{places, turns_back};
 use crate::bernstein::{evaluate, restrict};
 use crate::roots::bernstein;
-use crate::{Aabb, Hit, Jet, Ray, Rect, ShapeError, Surface};
-use glam::DVec3;
+use crate::{Aabb, ConvexSolid, Hit, Jet, Outline, Ray, Rect, ShapeError, Surface};
+use glam::{DVec2, DVec3};
 
 /// A curved wall, straight in one direction.
 #[derive(Clone, Debug)]
@@ -71,6 +71,16 @@ impl Surface for Extrusion {
         let part = restrict(&self.curve, low, high);
         let ends = rect.v.map(|v| 0.5 * (1.0 + v) * self.direction);
         Aabb::around(ends.into_iter().flat_map(|end| part.map(|x| x + end)))
+    }
+
+    fn solid(&self) -> Option<ConvexSolid> {
+        let axes = <[DVec3; 2]>::from(self.direction.normalize().any_orthonormal_pair());
+        let origin = self.curve[0];
+        let seen = |x: DVec3| DVec2::from_array(axes.map(|axis| axis.dot(x - origin)));
+        let points = self.curve.map(seen);
+        let turn: f64 = points[1..].windows(2).map(|pair| pair[0].perp_dot(pair[1])).sum();
+        let outline = Outline::cubic(points, 1.0_f64.copysign(turn))?;
+        Some(ConvexSolid::Moved { origin, axes, outline })
     }
 
     fn intersect(&self, ray: &Ray) -> Option<Hit> {

@@ -9,7 +9,7 @@
 use super::net::{Sample, check_area, jet, part, sample};
 use super::tiles::Tiles;
 use super::{check_finite, check_positive};
-use crate::{Aabb, Hit, Jet, Ray, Rect, ShapeError, Surface};
+use crate::{Aabb, Hit, Jet, Ray, Rect, ShapeError, Surface, TangentPlanes};
 use glam::{DVec3, DVec4};
 
 /// A rational bicubic patch: spheres, cylinders and cones among them.
@@ -52,6 +52,10 @@ impl Surface for Rational {
                 .into_iter()
                 .flat_map(|quarter| part(&self.weighted, &quarter).into_iter().flatten().map(project)),
         )
+    }
+
+    fn tangent_planes(&self) -> Option<TangentPlanes> {
+        Some(TangentPlanes::new(&self.weighted))
     }
 
     fn intersect(&self, ray: &Ray) -> Option<Hit> {

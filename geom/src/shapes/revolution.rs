@@ -15,9 +15,11 @@ use super::check_finite;
 use super::fold::{places, turns_back};
 use super::turn::{Profile, Turn};
 use crate::bernstein::{evaluate, from_powers, restrict};
+use crate::outline::{is_nowhere_below, legs};
 use crate::roots::quadratic;
+use crate::tolerances::ROUNDING;
 use crate::zeros::zeros;
-use crate::{Aabb, Hit, Jet, Ray, Rect, ShapeError, Surface};
+use crate::{Aabb, ConvexSolid, Hit, Jet, Outline, Ray, Rect, ShapeError, Surface};
 use glam::{DMat2, DVec2, DVec3};
 
 /// Equal pieces of s into which the curve is cut, to look for rays only where they pass. An arbitrary choice:
@@ -117,6 +119,18 @@ impl Surface for Revolution {
         });
         let points: Vec<DVec2> = points.collect();
         self.turn.bounds(rect.u, |g, h| points.iter().map(|p| p.x * g + p.y * h).fold(f64::MIN, f64::max))
+    }
+
+    /// Of a curve that runs along the axis one way, and bends toward it.
+    fn solid(&self) -> Option<ConvexSolid> {
+        let side = 1.0_f64.copysign(self.profile[3].y - self.profile[0].y);
+        let rises = legs(&self.profile).map(|leg| side * leg.y);
+        let outline = Outline::cubic(self.profile, side)?;
+        is_nowhere_below(rises, ROUNDING * self.extent).then_some(ConvexSolid::Turned {
+            origin: self.turn.origin,
+            axis: self.turn.axis(),
+            outline,
+        })
     }
 
     fn intersect(&self, ray: &Ray) -> Option<Hit> {

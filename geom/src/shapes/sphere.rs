@@ -4,8 +4,9 @@
 //! Front: outside. Area (φ₁ − φ₀) R (z₁ − z₀) (Archimedes). At a pole the area element vanishes;
 //! [`super::SpherePatch`] has none. Range: R > 0, −R ≤ z₀ < z₁ ≤ R.
 
-use super::turn::{Profile, Turn, arc_range};
+use super::turn::{Profile, Turn};
 use super::{check_finite, check_positive};
+use crate::arc::arc_range;
 use crate::{Aabb, ConvexSolid, Hit, Jet, Ray, Rect, ShapeError, Surface};
 use glam::DVec3;
 

@@ -8,13 +8,15 @@
 //! the tube, √((ρ − R)² + z²) − r, which keeps the digits the quartic loses for thin tubes.
 
 use super::sphere::meet;
-use super::turn::{Profile, Turn, arc_range, check_angle};
+use super::turn::{Profile, Turn, check_angle};
 use super::{check_finite, check_positive};
+use crate::arc::arc_range;
 use crate::bernstein::from_powers;
 use crate::roots;
-use crate::{Aabb, Hit, Jet, Ray, Rect, ShapeError, Surface};
+use crate::tolerances::ROUNDING;
+use crate::{Aabb, ConvexSolid, Hit, Jet, Outline, Ray, Rect, ShapeError, Surface};
 use glam::{DVec2, DVec3};
-use std::f64::consts::TAU;
+use std::f64::consts::{PI, TAU};
 
 /// A ring torus, or a part of it.
 #[derive(Clone, Debug)]
@@ -111,6 +113,19 @@ impl Surface for Torus {
     fn bounds(&self, rect: &Rect) -> Aabb {
         let range = rect.v.map(|v| self.tube_at(v));
         self.turn.bounds(rect.u, |g, h| self.major * g + self.minor * arc_range(g, h, range)[1])
+    }
+
+    /// The outer half of the tube.
+    fn solid(&self) -> Option<ConvexSolid> {
+        let [low, high] = [-1.0, 1.0].map(|v| self.tube_at(v));
+        let outline = Outline::Arc { center: DVec2::X * self.major, radius: self.minor, angles: [low, high] };
+        let faces_out = [low, self.tube[0], high].iter().all(|angle| angle.cos() >= -ROUNDING);
+        let is_outside = faces_out && high - low <= PI + ROUNDING;
+        is_outside.then_some(ConvexSolid::Turned {
+            origin: self.turn.origin,
+            axis: self.turn.axis(),
+            outline,
+        })
     }
 
     fn intersect(&self, ray: &Ray) -> Option<Hit> {
