@@ -189,6 +189,12 @@ impl<'a> Zone<'a> {
         self.is_hollow
     }
 
+    /// Whether the element is the whole sphere.
+    pub(super) fn is_whole(&self) -> bool {
+        let whole = |part: f64, all: f64| part >= all * (1.0 - ROUNDING);
+        whole(self.width, TAU) && self.latitudes.iter().all(|latitude| whole(latitude.abs(), FRAC_PI_2))
+    }
+
     pub(super) fn width(&self) -> f64 {
         self.width
     }

@@ -18,6 +18,8 @@
 //! and ∝ sin² (π s/2) between two, in which these are smooth. Gauss rules converge exponentially along and
 //! across.
 //!
+//! Of a whole sphere of even exitance the sum is known ([`crate::irradiance::ball`], and 1 inside).
+//!
 //! Points: of a patch of a quarter circle each way, in proportion to the length of strips and intervals.
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
@@ -28,11 +30,17 @@ use radiosity_elements::rule::{MOST_POINTS, UnitRule};
 use radiosity_geom::{DVec3, ROUNDING};
 use smallvec::SmallVec;
 
+use crate::irradiance::ball::ball;
 use crate::moments::integrand::kernel;
 use crate::rules::zone::{Chart, Zone};
 
 /// Fewest points along an interval, and across a strip.
 const FEWEST: [usize; 2] = [3, 3];
+
+/// Angle from a pole within which strips are graded towards a circle that passes it, and the ratio of their
+/// distances: longitudes turn by a half over its distance from the pole.
+const NEAR_POLE: f64 = 0.6;
+const NEXT: f64 = 4.0;
 
 /// Rate of convergence on a quarter circle: an estimate, at the least distance of patches apart.
 const RATE: f64 = 3.0;
@@ -120,6 +128,12 @@ impl<'a> ZonePart<'a> {
 
     /// Adds W_l(x) to `out`; returns the number of evaluations.
     pub(super) fn seen_from(&self, x: &Node, out: &mut [f64]) -> u64 {
+        if out.len() == 1
+            && let Some(seen) = self.whole_from(x)
+        {
+            out[0] += seen * self.basis.constant();
+            return 1;
+        }
         let planes = self.planes(x);
         let mut values = vec![0.0; out.len()];
         let mut evaluations = 0;
@@ -137,6 +151,18 @@ impl<'a> ZonePart<'a> {
             }
         }
         evaluations
+    }
+
+    /// The share of the light of a point that meets a whole sphere, from outside or from inside; None where the
+    /// element is no whole sphere, or the point lies on its back.
+    fn whole_from(&self, x: &Node) -> Option<f64> {
+        let Chart { center, radius, .. } = *self.zone.chart();
+        let is_inside = x.position.distance(center) < radius;
+        match self.zone.is_whole() && self.zone.is_hollow() == is_inside {
+            false => None,
+            true if is_inside => Some(1.0),
+            true => ball(x.position, x.normal, center, radius),
+        }
     }
 
     /// Adds a range of longitudes on one parallel.
@@ -222,7 +248,13 @@ impl<'a> ZonePart<'a> {
             // Beyond a pole a parallel is met on its far side.
             for latitude in roots(up, flat, k) {
                 let is_beyond = latitude.abs() > FRAC_PI_2;
-                add(if is_beyond { latitude.signum() * PI - latitude } else { latitude }, true);
+                let latitude = if is_beyond { latitude.signum() * PI - latitude } else { latitude };
+                add(latitude, true);
+                let mut off_pole = NEXT * (FRAC_PI_2 - latitude.abs());
+                while off_pole < NEAR_POLE && off_pole > ROUNDING {
+                    add(latitude.signum() * (FRAC_PI_2 - off_pole), false);
+                    off_pole *= NEXT;
+                }
             }
             for longitude in [0.0, self.zone.width()] {
                 let meridian = chart.position(longitude, 0.0) - chart.center;
