@@ -28,7 +28,7 @@ pub enum ConvexSolid {
         /// Its radius (length).
         radius: f64,
     },
-    /// What lies within an outline that is turned about an axis.
+    /// All within an outline that is turned about an axis.
     Turned {
         /// A point of the axis.
         origin: DVec3,
@@ -37,7 +37,7 @@ pub enum ConvexSolid {
         /// The outline: distance from the axis, and height over the origin.
         outline: Outline,
     },
-    /// What lies within an outline that is moved along a straight line.
+    /// All within an outline that is moved along a straight line.
     Moved {
         /// The origin of the outline's coordinates.
         origin: DVec3,
@@ -46,7 +46,7 @@ pub enum ConvexSolid {
         /// The outline.
         outline: Outline,
     },
-    /// What lies behind all tangent planes of a patch.
+    /// All behind all tangent planes of a patch.
     Patch(Box<TangentPlanes>),
 }
 

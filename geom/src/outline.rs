@@ -58,7 +58,7 @@ impl Outline {
         is_nowhere_below(bends.map(|bend| side * bend), noise).then_some(Self::Cubic { points, side })
     }
 
-    /// How far a point lies beyond a tangent of the curve at the most (length): e(p).
+    /// Distance of a point beyond a tangent of the curve at the most (length): e(p).
     pub(crate) fn excess(&self, point: DVec2) -> f64 {
         match *self {
             Self::Line { radius, slope } => {

@@ -58,7 +58,7 @@ impl TangentPlanes {
         Self { origin, planes: planes.map(|row| row.map(|plane| scale * plane)), size: bounds.diagonal() }
     }
 
-    /// How far a point lies beyond one of the planes at the most, times the area element of the patch there
+    /// Distance of a point beyond one of the planes at the most, times the area element of the patch there
     /// over a bound of it (length). Infinite where that takes too long to find.
     pub(crate) fn excess(&self, point: DVec3) -> f64 {
         let place = (point - self.origin).extend(1.0);

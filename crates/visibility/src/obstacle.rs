@@ -112,7 +112,7 @@ impl Obstacle {
         self.solid.get_or_init(|| self.shape.solid()).as_ref()
     }
 
-    /// How far outside its solid a point may lie (length).
+    /// Distance by which a point may lie outside its solid (length).
     fn touching(&self) -> f64 {
         COINCIDENT * self.ball.radius()
     }

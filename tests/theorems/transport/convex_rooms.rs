@@ -135,7 +135,7 @@ fn walls_hide_what_reaches_out() {
     assert!(coaxial([1.0, 1.3], 1.0) - exact > 0.1, "a tube that hid nothing would not be noticed");
 }
 
-/// What lies behind a disc, with its edge in the disc's plane, gets nothing from there; no ray is sent to
+/// A rectangle behind a disc, with its edge in the disc's plane, gets nothing from there; no ray is sent to
 /// find it.
 #[test]
 fn what_lies_behind_a_disc_is_left_out() {

@@ -253,7 +253,7 @@ fn front(scene: &Scene, from: DVec3, along: DVec3) -> Option<(usize, DVec3)> {
     hits.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, index, place)| (index, place))
 }
 
-/// What is found hides what all surfaces hide, wherever a dent is; in convex rooms nothing is found.
+/// The blockers found hide all that any surface hides, wherever a dent is; in convex rooms nothing is found.
 #[test]
 fn dents_are_found_and_convex_rooms_are_free() {
     let (mut convex, mut dented, mut without_chord) = (0, 0, 0);

@@ -10,9 +10,10 @@
 //!
 //! A Gauss rule of n points over a cell of width h may miss what is narrower than about h/n inside it and
 //! h/n² at its border, where its points are denser; so may the next level. Edges near a cell are assumed at
-//! its border; of a ball d is the distance from its surface. Narrow penumbras are looked for if n ≤ 2, as seen from the middle of the cell, and from its
-//! corners too if high accuracy is asked: in all rooms tried, finer rules found the others. An edge counts
-//! only if planes through it and a point of the cell cut the inner element, and if it lies between the two.
+//! its border; of a ball d is the distance from its surface. Narrow penumbras are looked for if n ≤ 2, as
+//! seen from the middle of the cell, and from its corners too if high accuracy is asked: in all rooms tried,
+//! finer rules found the others. An edge counts only if planes through it and a point of the cell cut the
+//! inner element, and if it lies between the two.
 
 use radiosity_elements::patch::Patch;
 use radiosity_geom::{COINCIDENT, DVec3, extreme_points, separated};

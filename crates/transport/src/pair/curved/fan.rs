@@ -98,9 +98,9 @@ impl Job<'_> {
         self.tasks.extend(halves.map(|half| Task::Fan(half, near.clone())));
     }
 
-    /// How the inner element lies before an outer part, if it lies on a sphere whose sectors are apart from the
-    /// part, or as far as it does not see them; None where it sees all of them wholly, or where `inner` does not
-    /// hold all that it may see.
+    /// Position of the inner element before an outer part, if it lies on a sphere and those of its sectors that
+    /// the part may see are apart from it; None where the part sees all of them wholly, or where `inner` does
+    /// not hold all that it may see.
     fn zone_before(&mut self, outer: &Patch, inner: &[Patch]) -> Option<ZoneBefore> {
         let InnerZone { sectors, zone } = self.inner.as_ref()?;
         self.budget.looks += sectors.len() as u64;
