@@ -124,11 +124,16 @@ impl Visibility {
         let found = self.standing_between(a, b, surfaces);
         // What a surface encloses is looked for once it reaches between the two.
         let holds_both = |index: &usize| surfaces.iter().all(|surface| self.encloses(*index, *surface));
-        // What sees the outside of a convex solid sees it past nothing that lies within.
+        // What sees the outside of a convex solid sees it past nothing that lies within; where it passes through,
+        // rays find the corners that stick out.
         let is_within = |index: &usize| {
-            let turned_out =
-                surfaces.iter().filter(|surface| self.obstacles[**surface].bend == Bend::Outward);
-            turned_out.into_iter().any(|surface| self.encloses(*surface, *index))
+            let [first, second] = surfaces;
+            [[first, second], [second, first]].into_iter().any(|[own, other]| {
+                let Obstacle { bend, .. } = &self.obstacles[own];
+                *bend == Bend::Outward
+                    && self.encloses(own, *index)
+                    && !self.obstacles[own].is_entered_by(&self.obstacles[other])
+            })
         };
         let may_hide = |index: &usize| !holds_both(index) && !is_within(index);
         let reaching = self.reaching_between(&found, |index| self.own_hull(index), [a, b]);

@@ -112,6 +112,15 @@ impl Obstacle {
         self.solid.get_or_init(|| self.shape.solid()).as_ref()
     }
 
+    /// Whether some corner of another surface, its middle or a point by which its bends are told lies inside the
+    /// solid.
+    pub(super) fn is_entered_by(&self, other: &Self) -> bool {
+        let corners = other.pieces.iter().flat_map(|_| other.hull.iter().copied());
+        let points = corners.chain(other.looks.iter().map(|look| look.point));
+        let mut points = points.chain([other.shape.jet(0.0, 0.0).position]);
+        self.solid().is_some_and(|solid| points.any(|x| solid.excess(x) < -self.touching()))
+    }
+
     /// Distance by which a point may lie outside its solid (length).
     fn touching(&self) -> f64 {
         COINCIDENT * self.ball.radius()

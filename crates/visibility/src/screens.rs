@@ -28,6 +28,17 @@ const MOST: usize = 64;
 /// a segment meets the surface: far above rounding.
 const UNCERTAIN: f64 = 1e-7;
 
+/// Distance from a sheet to the inside of an end, over the size of the shaft, from which it is certain that they
+/// do not touch: far above the rounding with which it is told that a border stays out of the shaft. With a
+/// smaller value a sheet that stands on a flat end, its lower border in the border of the shaft, would hide what
+/// it stands on.
+const CLEAR: f64 = 1e-7;
+
+/// Extent of a flat end along a direction, over its size, up to which it counts as flat across it: far above
+/// the rounding of its corners. What rounding leaves of a sheet that stands on it, over this, is the part of its size
+/// within which the sheet would have to stand at its border to count as beside it.
+const FLAT: f64 = 1e-3;
+
 /// One end of a set of segments.
 #[derive(Clone, Copy, Debug)]
 pub struct End<'a> {
@@ -145,6 +156,11 @@ impl<'a> Shaft<'a> {
         Self { ends, bounds: Aabb::around(points), tolerance }
     }
 
+    /// Distance from an end at which a sheet certainly does not touch it (length).
+    fn clear(&self) -> f64 {
+        self.tolerance + CLEAR * self.bounds.diagonal()
+    }
+
     /// Whether one of the ends is a part of a surface.
     fn leaves(&self, surface: usize) -> bool {
         self.ends.iter().any(|end| end.surface() == Some(surface))
@@ -159,15 +175,17 @@ impl<'a> Shaft<'a> {
     /// Whether a sheet meets neither end, or only the border of one that is flat.
     fn spares_ends(&self, sheet: &Sheet) -> bool {
         self.ends.iter().all(|end| match end.own {
-            Some(own) => sheet.spares(end.hull, own.plane.normal, self.tolerance),
-            None => separated(end.hull, end.hull, &sheet.outline, -self.tolerance),
+            Some(own) => sheet.spares(end.hull, own.plane.normal, [self.tolerance, self.clear()]),
+            None => separated(end.hull, end.hull, &sheet.outline, -self.clear()),
         })
     }
 }
 
 impl Sheet {
-    /// Whether the sheet does not meet the inside of the flat `hull` with this `normal`.
-    fn spares(&self, hull: &[DVec3], normal: DVec3, tolerance: f64) -> bool {
+    /// Whether the sheet does not meet the inside of the flat `hull` with this `normal`: it stays beside its
+    /// border to a tolerance, or `clear` of its plane (lengths).
+    fn spares(&self, hull: &[DVec3], normal: DVec3, [tolerance, clear]: [f64; 2]) -> bool {
+        let size = Aabb::around(hull.iter().copied()).diagonal();
         let lies_beyond = |d: DVec3| {
             let d = d.normalize_or_zero();
             let height = |x: &DVec3| x.dot(d);
@@ -175,7 +193,7 @@ impl Sheet {
             let far = hull.iter().map(height).fold(f64::NEG_INFINITY, f64::max);
             let top = self.outline.iter().map(height).fold(f64::NEG_INFINITY, f64::max);
             // Where the hull is flat across d it has no inside beyond its lowest points.
-            if far - own > tolerance { top <= own + tolerance } else { top < own - tolerance }
+            if far - own > FLAT * size { top <= own + tolerance } else { top < own - clear }
         };
         let both = |d: DVec3| lies_beyond(d) || lies_beyond(-d);
         let across = || sides(hull).map(|[a, b]| (b - a).cross(normal));

@@ -157,14 +157,14 @@ impl InnerPart<'_> {
     fn may_face(&self, outer: &Patch) -> bool {
         match self {
             Self::Patch(part) => facing(outer, part.patch(), false, 0.0) != Facing::Away,
-            Self::Zone(part) => outer.cell_nodes(LOOKS).iter().any(|x| part.may_be_seen_from(x)),
+            Self::Zone(part) => part.may_be_faced_by(&outer.cell_nodes(LOOKS)),
         }
     }
 
     fn may_be_seen_from(&self, x: &View) -> bool {
         match self {
             Self::Patch(part) => part.may_be_seen_from(x),
-            Self::Zone(part) => part.may_be_seen_from(&x.node),
+            Self::Zone(part) => part.is_seen_from(&x.node),
         }
     }
 

@@ -211,7 +211,8 @@ impl Job<'_> {
     fn carries_nothing(&mut self, rough: f64, [receivers, emitters]: [&[Patch]; 2]) -> bool {
         let [a, b] = self.elements.map(|element| element.area);
         let may_err = self.budget.may_err();
-        let nothing = a.max(b) < LARGEST_AREA_RATIO * a.min(b)
+        let nothing = rough > 0.0
+            && a.max(b) < LARGEST_AREA_RATIO * a.min(b)
             && ABOVE_ESTIMATE * rough < may_err
             && self.budget.unit * largest_kernel(receivers, emitters) < may_err;
         if nothing {

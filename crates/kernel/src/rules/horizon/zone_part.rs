@@ -110,10 +110,18 @@ impl<'a> ZonePart<'a> {
         Self { zone, basis, points }
     }
 
-    /// Whether some point of the sphere may lie before the horizon of `x`.
-    pub(super) fn may_be_seen_from(&self, x: &Node) -> bool {
+    /// Whether some point of the whole sphere lies before the horizon of one of these points.
+    pub(super) fn may_be_faced_by(&self, points: &[Node]) -> bool {
         let Chart { center, radius, .. } = self.zone.chart();
-        (center - x.position).dot(x.normal) > -radius
+        points.iter().any(|x| (center - x.position).dot(x.normal) > -radius)
+    }
+
+    /// Whether `x` sees some of it.
+    pub(super) fn is_seen_from(&self, x: &Node) -> bool {
+        let planes = self.planes(x);
+        let strips = self.breaks(&planes);
+        let mut strips = strips.windows(2).map(|ends| Strip { ends: [ends[0], ends[1]] });
+        strips.any(|strip| strip.width() > ROUNDING && !self.seen(&planes, strip.place(0.5).0).is_empty())
     }
 
     /// The conditions of sight from `x`.
