@@ -10,7 +10,7 @@ use radiosity_work::interruption::check_interrupt;
 
 /// Largest turn of the lines and normals of a sector, radians. A quarter circle is 1.571: the rest of 0.03 is
 /// a margin, so that exact quarters, whose turn is estimated from chords, are not cut.
-const LARGEST_TURN: f64 = 1.6;
+pub(crate) const LARGEST_TURN: f64 = 1.6;
 /// Most sectors of an element, after which larger turns remain: a crease turns by the same angle however
 /// short the line across it. A bound of time, far above the eight sectors of a ball.
 const MOST_SECTORS: usize = 256;

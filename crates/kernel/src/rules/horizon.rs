@@ -142,7 +142,7 @@ pub struct InnerPatch {
 pub enum Inner<'a> {
     /// Patches.
     Patches(&'a [InnerPatch]),
-    /// All of an element on a sphere, with the points of a quarter circle along and across.
+    /// All of an element on a sphere, with the points of a sector along and across.
     Zone(&'a Zone<'a>, [usize; 2]),
 }
 
