@@ -76,6 +76,7 @@ impl<'a> Correction<'a> {
         };
         let unit = pair.iter().map(|element| element.basis.transform()[0]).product();
         let accuracy = (0.3 * limit.error / limit.entry).clamp(1e-14, LOOSEST_OF_OUTLINES);
+        let mut ball_corners = ball_corners(accuracy);
         let (corners, inner_shape) = match other.plane {
             Some(plane) => {
                 let polygons: Vec<Vec<DVec3>> = inner.iter().map(|facet| facet.corners.clone()).collect();
@@ -84,6 +85,7 @@ impl<'a> Correction<'a> {
             }
             None => {
                 let zone = Zone::of(other, accuracy).expect("both elements lie on the inside of a sphere");
+                ball_corners *= ON_SPHERES;
                 (other.hull.clone(), InnerShape::OfSphere(zone))
             }
         };
@@ -100,7 +102,7 @@ impl<'a> Correction<'a> {
             constant: other.basis.constant(),
             constants: unit * outer.basis.constant() * other.basis.constant(),
             points: points(outer.basis.total_degree(), accuracy),
-            ball_corners: ball_corners(accuracy),
+            ball_corners,
             accuracy,
             limit,
         }
@@ -111,6 +113,10 @@ impl<'a> Correction<'a> {
 const FEWEST_CORNERS: usize = 12;
 /// Most of them: they miss 7e-10 of a shadow.
 const MOST_CORNERS: usize = 128;
+
+/// More of them within a sphere, whose area per direction varies more over a wide shadow than light does: a
+/// sixteenth of the error.
+const ON_SPHERES: usize = 2;
 
 /// Corners that stand for a ball's outline: n miss 0.2/n⁴ of a shadow; half as many again as that asks for.
 fn ball_corners(accuracy: f64) -> usize {
