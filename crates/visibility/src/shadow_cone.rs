@@ -93,7 +93,7 @@ impl ShadowCone {
         let doubled: DVec3 = sides(polygon).map(|[a, b]| (a - polygon[0]).cross(b - polygon[0])).sum();
         let turn = doubled.dot(polygon[0]).signum();
         let chords: SmallVec<[[DVec3; 2]; 8]> = sides(polygon).filter_map(|side| self.chord(side)).collect();
-        let Some([first, _]) = chords.first() else { return self.round(polygon, turn) };
+        let Some([first, _]) = chords.first() else { return self.round(polygon, doubled) };
         let mut part = Corners::new();
         let mut last = chords[chords.len() - 1][1];
         if chords.len() == 1 && last == *first {
@@ -138,13 +138,14 @@ impl ShadowCone {
         }
     }
 
-    /// The whole conic, where it lies within a polygon that no side of the cone meets.
-    fn round(&self, polygon: &[DVec3], turn: f64) -> Corners {
+    /// The whole conic, where it lies within a polygon whose sides all miss the cone; `doubled` is twice the
+    /// polygon's area, along its normal.
+    fn round(&self, polygon: &[DVec3], doubled: DVec3) -> Corners {
+        let turn = doubled.dot(polygon[0]).signum();
         let is_inside = sides(polygon).all(|[a, b]| turn * a.cross(b).dot(self.axis) > 0.0);
         if !is_inside || polygon.len() < 3 {
             return Corners::new();
         }
-        let doubled: DVec3 = sides(polygon).map(|[a, b]| (a - polygon[0]).cross(b - polygon[0])).sum();
         let start = self.direction(0.0, 1.0);
         let start = start * (polygon[0].dot(doubled) / start.dot(doubled));
         let mut part = Corners::new();

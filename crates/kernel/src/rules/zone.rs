@@ -27,7 +27,7 @@
 //! Error. Gauss rules for F and T are exact, but for cos ψ in T; those along arcs err by the accuracy asked,
 //! as arcs are halved until they are no longer than their distance from the axis, beside which φ turns fast.
 //!
-//! Reference: G. G. Stokes' theorem; Archimedes' for dA = R² dφ dσ.
+//! Reference: Archimedes, *On the Sphere and Cylinder* (dA = R² dφ dσ).
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 
