@@ -64,6 +64,9 @@ impl<'a> RowSorting<'a> {
         let Some(halves) = group.halves else {
             return groups.members(group).iter().for_each(|column| self.tell(*column));
         };
+        if !self.wants_any(groups.members(group)) {
+            return self.take_all(groups.members(group), |_, _| Sorted::Black);
+        }
         if self.is_hidden_from(group) {
             let schedule = self.schedule;
             let are_faced = groups.are_faced(group, element, plane);
@@ -73,6 +76,12 @@ impl<'a> RowSorting<'a> {
             });
         }
         halves.into_iter().for_each(|half| self.visit(groups, groups.group(half), plane));
+    }
+
+    /// Whether the pair of the row with one of `columns` is wanted.
+    fn wants_any(&self, columns: &[usize]) -> bool {
+        let row = self.row;
+        columns.iter().any(|column| *column >= row && (self.schedule.wanted)(row, *column))
     }
 
     fn is_hidden_from(&self, group: &Group) -> bool {
