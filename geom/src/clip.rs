@@ -69,6 +69,12 @@ pub fn sides<T: Copy>(polygon: &[T]) -> impl Iterator<Item = [T; 2]> + Clone {
     polygon.iter().zip(polygon.iter().cycle().skip(1)).map(|(from, to)| [*from, *to])
 }
 
+/// Vector of area ½ Σ xᵢ × xᵢ₊₁ of a closed outline (Newell): along the front's normal, as long as the area.
+pub fn area_vector(outline: &[DVec3]) -> DVec3 {
+    let Some(first) = outline.first() else { return DVec3::ZERO };
+    0.5 * sides(outline).map(|[x, y]| (x - *first).cross(y - *first)).sum::<DVec3>()
+}
+
 /// Distance of a point from the segment between two others (length).
 pub fn distance_to_segment(x: DVec3, [a, b]: [DVec3; 2]) -> f64 {
     let along = ((x - a).dot(b - a) / a.distance_squared(b)).clamp(0.0, 1.0);

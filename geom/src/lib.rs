@@ -60,8 +60,8 @@ pub use aabb::Aabb;
 pub use adjacency::Adjacency;
 pub use bvh::Bvh;
 pub use clip::{
-    clip_by_heights, clip_polygon, difference, distance_to_segment, intersection, overhang, polygon_area,
-    polygon_width, sides,
+    area_vector, clip_by_heights, clip_polygon, difference, distance_to_segment, intersection, overhang,
+    polygon_area, polygon_width, sides,
 };
 pub use convex_solid::ConvexSolid;
 pub use flipped::Flipped;
@@ -76,6 +76,7 @@ pub use ray::{Hit, Ray};
 pub use ray_tree::{Encounter, RayTree};
 pub use rect::Rect;
 pub use region::PlanarRegion;
+pub use roots::quadratic;
 pub use rounding::{coordinate_rounding, unit_roundoff};
 pub use separated::separated;
 pub use shape_error::ShapeError;

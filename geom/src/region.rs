@@ -10,7 +10,7 @@ mod rings;
 mod pieces;
 
 use crate::tolerances::{LOOSE, NO_AREA, PLANARITY, ROUNDING, ROUNDINGS_OF_PLANE};
-use crate::{Hit, Motion, ShapeError, coordinate_rounding, intersection};
+use crate::{Hit, Motion, ShapeError, area_vector, coordinate_rounding, intersection};
 use glam::{DVec2, DVec3};
 use pieces::Pieces;
 use rings::Rings;
@@ -239,8 +239,7 @@ fn check_vertices(ring: &[DVec3], name: &str) -> Result<(), ShapeError> {
 
 /// Newell's unit normal of the outline, and its extent.
 fn plane_of(outer: &[DVec3]) -> Result<(DVec3, f64), ShapeError> {
-    let next = outer.iter().cycle().skip(1);
-    let twice: DVec3 = outer.iter().zip(next).map(|(x, y)| (*x - outer[0]).cross(*y - outer[0])).sum();
+    let twice = 2.0 * area_vector(outer);
     let extent = outer.iter().map(|x| x.distance(outer[0])).fold(0.0, f64::max);
     if twice.length() <= NO_AREA * extent * extent {
         // A symmetric bow tie has no net area; its crossing is the better message.

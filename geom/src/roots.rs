@@ -15,7 +15,7 @@ use crate::bernstein::{evaluate, split};
 
 /// The real roots of a x² + b x + c, in no particular order; a double root twice; infinite or NaN where there
 /// are fewer.
-pub(crate) fn quadratic(a: f64, b: f64, c: f64) -> [f64; 2] {
+pub fn quadratic(a: f64, b: f64, c: f64) -> [f64; 2] {
     let discriminant = difference_of_products(b, b, 4.0 * a, c);
     if discriminant < 0.0 {
         return [f64::NAN; 2];

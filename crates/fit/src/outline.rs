@@ -1,15 +1,9 @@
 //! Outlines in space, closed rings of points: lengths, areas, rounding, and whether they lie in a plane.
 
 use glam::DVec3;
-use radiosity_geom::{COINCIDENT, PLANARITY, ROUNDINGS_OF_PLANE, coordinate_rounding, sides};
+use radiosity_geom::{COINCIDENT, PLANARITY, ROUNDINGS_OF_PLANE, area_vector, coordinate_rounding, sides};
 
 use crate::tolerances::ROUNDINGS_OF_POINTS;
-
-/// Vector of area ½ Σ xᵢ × xᵢ₊₁ (Newell): along the front's normal, as long as the area.
-pub fn area_vector(outline: &[DVec3]) -> DVec3 {
-    let Some(first) = outline.first() else { return DVec3::ZERO };
-    0.5 * sides(outline).map(|[x, y]| (x - *first).cross(y - *first)).sum::<DVec3>()
-}
 
 /// Largest distance of a corner from the first (length).
 pub fn extent(outline: &[DVec3]) -> f64 {

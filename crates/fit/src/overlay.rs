@@ -15,9 +15,10 @@ use i_overlay::core::overlay_rule::OverlayRule;
 use i_overlay::i_float::int::point::IntPoint;
 use radiosity_geom::{COINCIDENT, distance_to_segment, sides};
 
-use crate::outline::{area_vector, perimeter, tolerance};
+use crate::outline::{perimeter, tolerance};
 use crate::plane::Plane;
 use nodes::{Near, Nodes, bits, through_nodes};
+use radiosity_geom::area_vector;
 
 /// Steps of the integers over the extent: some four thousand to the tolerance of 1e-9, so that crossings stay
 /// where they are, and far from their limit, 2⁶², so that no product overflows.

@@ -3,7 +3,8 @@
 use glam::{DVec2, DVec3};
 use radiosity_geom::{NO_AREA, sides};
 
-use crate::outline::{area_vector, extent};
+use crate::outline::extent;
+use radiosity_geom::area_vector;
 
 /// Part of its corners' areas below which the net area of an outline that crosses itself tells no direction:
 /// the loops of a bow tie cancel but for what its coordinates are off by. An arbitrary choice: with a larger

@@ -9,7 +9,7 @@ mod corners;
 use std::collections::{BTreeSet, HashMap};
 
 use glam::DVec3;
-use radiosity_fit::outline::area_vector;
+use radiosity_geom::area_vector;
 use radiosity_geom::{Aabb, Bvh, ROUNDING_OF_AREAS, sides};
 
 use crate::model::{Model, Shape, Sides};

@@ -143,8 +143,7 @@ impl Visibility {
     /// As [`Visibility::candidates`] between a part of `surface`, in the hull `a`, and points that lie on no
     /// surface.
     pub fn candidates_before_points(&self, a: &[DVec3], points: &[DVec3], surface: usize) -> Vec<usize> {
-        let mut found = self.standing_between(a, points, [surface; 2]);
-        found = self.narrow(&found, a, points);
+        let mut found = self.narrow(&self.standing_between(a, points, [surface; 2]), a, points);
         found.retain(|index| !(self.encloses(*index, surface) && self.contains(*index, points)));
         found
     }

@@ -115,8 +115,8 @@ impl Obstacle {
     /// Whether some corner of another surface, its middle or a point by which its bends are told lies inside the
     /// solid.
     pub(super) fn is_entered_by(&self, other: &Self) -> bool {
-        let corners = other.pieces.iter().flat_map(|_| other.hull.iter().copied());
-        let points = corners.chain(other.looks.iter().map(|look| look.point));
+        let corners: &[DVec3] = if other.pieces.is_some() { &other.hull } else { &[] };
+        let points = corners.iter().copied().chain(other.looks.iter().map(|look| look.point));
         let mut points = points.chain([other.shape.jet(0.0, 0.0).position]);
         self.solid().is_some_and(|solid| points.any(|x| solid.excess(x) < -self.touching()))
     }

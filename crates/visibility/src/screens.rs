@@ -35,8 +35,8 @@ const UNCERTAIN: f64 = 1e-7;
 const CLEAR: f64 = 1e-7;
 
 /// Extent of a flat end along a direction, over its size, up to which it counts as flat across it: far above
-/// the rounding of its corners. What rounding leaves of a sheet that stands on it, over this, is the part of its size
-/// within which the sheet would have to stand at its border to count as beside it.
+/// the rounding of its corners. With a smaller value rounding makes an end look thick along its normal, and what
+/// stands on it look as if it stood beside it.
 const FLAT: f64 = 1e-3;
 
 /// One end of a set of segments.

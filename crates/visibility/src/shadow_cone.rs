@@ -16,7 +16,7 @@
 
 use core::f64::consts::TAU;
 
-use radiosity_geom::{DVec3, clip_by_heights, sides};
+use radiosity_geom::{DVec3, area_vector, clip_by_heights, quadratic, sides};
 use smallvec::SmallVec;
 
 use crate::bounding_ball::Ball;
@@ -90,10 +90,10 @@ impl ShadowCone {
 
     /// The part of a convex polygon within the cone.
     fn within(&self, polygon: &[DVec3]) -> Corners {
-        let doubled: DVec3 = sides(polygon).map(|[a, b]| (a - polygon[0]).cross(b - polygon[0])).sum();
-        let turn = doubled.dot(polygon[0]).signum();
+        let normal = area_vector(polygon);
+        let turn = normal.dot(polygon[0]).signum();
         let chords: SmallVec<[[DVec3; 2]; 8]> = sides(polygon).filter_map(|side| self.chord(side)).collect();
-        let Some([first, _]) = chords.first() else { return self.round(polygon, doubled) };
+        let Some([first, _]) = chords.first() else { return self.round(polygon, normal) };
         let mut part = Corners::new();
         let mut last = chords[chords.len() - 1][1];
         if chords.len() == 1 && last == *first {
@@ -101,7 +101,7 @@ impl ShadowCone {
         }
         for [start, end] in &chords {
             if *start != last {
-                self.add_arc([last, *start], turn, doubled, &mut part);
+                self.add_arc([last, *start], turn, normal, &mut part);
                 part.push(*start);
             }
             part.push(*end);
@@ -119,13 +119,10 @@ impl ShadowCone {
         // (y·ê)² = cos² α |y|² at y = a + t (b − a).
         let d = b - a;
         let (p, q, square) = (a.dot(self.axis), d.dot(self.axis), self.cosine * self.cosine);
-        let quadratic = q * q - square * d.length_squared();
+        let square_of_t = q * q - square * d.length_squared();
         let half = p * q - square * a.dot(d);
         let constant = p * p - square * a.length_squared();
-        let root = (half * half - quadratic * constant).sqrt();
-        // NaN where the line passes by; the sum without cancellation, then the other root by the product.
-        let far = -(half + root.copysign(half));
-        let roots = [far / quadratic, constant / far];
+        let roots = quadratic(square_of_t, 2.0 * half, constant);
         let at = |t: f64| a + t * d;
         let inner = |t: &f64| *t > 0.0 && *t < 1.0 && at(*t).dot(self.axis) > 0.0;
         let mut found: SmallVec<[f64; 2]> = roots.into_iter().filter(inner).collect();
@@ -138,18 +135,17 @@ impl ShadowCone {
         }
     }
 
-    /// The whole conic, where it lies within a polygon whose sides all miss the cone; `doubled` is twice the
-    /// polygon's area, along its normal.
-    fn round(&self, polygon: &[DVec3], doubled: DVec3) -> Corners {
-        let turn = doubled.dot(polygon[0]).signum();
+    /// The whole conic, where it lies within a polygon with this `normal`, whose sides all miss the cone.
+    fn round(&self, polygon: &[DVec3], normal: DVec3) -> Corners {
+        let turn = normal.dot(polygon[0]).signum();
         let is_inside = sides(polygon).all(|[a, b]| turn * a.cross(b).dot(self.axis) > 0.0);
         if !is_inside || polygon.len() < 3 {
             return Corners::new();
         }
         let start = self.direction(0.0, 1.0);
-        let start = start * (polygon[0].dot(doubled) / start.dot(doubled));
+        let start = start * (polygon[0].dot(normal) / start.dot(normal));
         let mut part = Corners::new();
-        self.add_arc([start; 2], turn, doubled, &mut part);
+        self.add_arc([start; 2], turn, normal, &mut part);
         part.push(start);
         part
     }
@@ -231,8 +227,8 @@ mod tests {
             let y = a + s * (b - a) + t * (d - a);
             let is_met = ball.occludes(&Ray::segment(eye, eye + y));
             let hidden = cone.hidden_part(&square);
-            let doubled: DVec3 = sides(&square).map(|[p, q]| (p - a).cross(q - a)).sum();
-            let inward = |[p, q]: [DVec3; 2]| doubled.normalize().cross((q - p).normalize_or_zero()).dot(y - p);
+            let normal = area_vector(&square).normalize();
+            let inward = |[p, q]: [DVec3; 2]| normal.cross((q - p).normalize_or_zero()).dot(y - p);
             let depth = sides(&hidden).map(inward).fold(f64::INFINITY, f64::min);
             // Within 1e-3 of its border corners stand for arcs.
             prop_assume!(depth.abs() > 1e-3);

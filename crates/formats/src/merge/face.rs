@@ -3,8 +3,9 @@
 use std::collections::HashMap;
 
 use glam::DVec3;
-use radiosity_fit::outline::{area_vector, extent, unevenness};
+use radiosity_fit::outline::{extent, unevenness};
 use radiosity_geom::NO_AREA;
+use radiosity_geom::area_vector;
 
 use super::corners::Corners;
 use crate::model::{Shape, Sides, Surface};

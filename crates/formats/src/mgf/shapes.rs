@@ -3,7 +3,7 @@
 //! Source: MGF 2.0, entities `f`, `fh`, `sph`, `cyl`, `cone`, `ring`, `torus`, `prism`.
 
 use glam::DVec3;
-use radiosity_fit::outline::area_vector;
+use radiosity_geom::area_vector;
 
 use crate::model::Shape;
 use radiosity_photometry::error::{Refusal, refuse};

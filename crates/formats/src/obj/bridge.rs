@@ -7,7 +7,7 @@
 use std::f64::consts::TAU;
 
 use glam::{DVec2, DVec3};
-use radiosity_fit::outline::area_vector;
+use radiosity_geom::area_vector;
 
 /// A corner in space and in the plane.
 #[derive(Clone, Copy)]

@@ -177,7 +177,7 @@ mod tests {
         let tie = [[0.0, 0.0], [3.0, 3.0], [3.0, 0.0], [0.0, 2.0]];
         let (parts, text) = mended(flat(&tie), vec![]);
         assert_eq!(text, r#"the outline of "face" crosses itself; it was cut into "face-1" and "face-2""#);
-        let net = radiosity_fit::outline::area_vector(&flat(&tie));
+        let net = radiosity_geom::area_vector(&flat(&tie));
         assert!(parts.len() == 2 && parts.iter().all(|part| normal(part).dot(net) > 0.0));
         // Corners of both triangles are those that were given, and the crossing at 1.2.
         let corners: Vec<DVec3> = parts.iter().flat_map(|part| part.outline.clone()).collect();

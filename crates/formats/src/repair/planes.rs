@@ -70,7 +70,7 @@ fn bits(x: DVec3) -> [u64; 3] {
 
 #[cfg(test)]
 mod tests {
-    use radiosity_fit::outline::area_vector;
+    use radiosity_geom::area_vector;
 
     use super::*;
     use crate::model::{Sides, Surface};

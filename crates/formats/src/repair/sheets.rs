@@ -5,8 +5,9 @@ use std::cell::OnceCell;
 use glam::DVec3;
 use radiosity_fit::bodies::{self, Beside};
 use radiosity_fit::coincident::{least_overlap, overlap};
-use radiosity_fit::outline::{area_vector, extent};
+use radiosity_fit::outline::extent;
 use radiosity_fit::plane::Plane;
+use radiosity_geom::area_vector;
 use radiosity_geom::{
     Aabb, Bvh, COINCIDENT, LOOSE, PARALLEL_PLANES, PlanarRegion, ROUNDINGS_OF_PLANE, coordinate_rounding,
     touching,

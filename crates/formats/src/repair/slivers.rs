@@ -1,8 +1,8 @@
 //! Faces without area.
 
-use radiosity_fit::outline::area_vector;
 use radiosity_fit::outline::length_and_width;
 use radiosity_geom::COINCIDENT;
+use radiosity_geom::area_vector;
 
 use crate::model::{Mantle, Model, Shape};
 use crate::repair::edit::Edit;

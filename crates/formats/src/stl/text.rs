@@ -1,7 +1,7 @@
 //! STL as text: `solid`, `facet normal`, `outer loop`, three times `vertex`, and their ends.
 
 use glam::DVec3;
-use radiosity_fit::outline::area_vector;
+use radiosity_geom::area_vector;
 use radiosity_photometry::error::{Refusal, refuse, refuse_at};
 use radiosity_photometry::file_place::FilePlace;
 use radiosity_photometry::text::decoded;

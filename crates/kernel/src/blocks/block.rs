@@ -133,3 +133,19 @@ impl Block {
 fn larger(a: f64, b: f64) -> f64 {
     if a.is_nan() || b.is_nan() { f64::NAN } else { a.max(b) }
 }
+
+/// H + Hᵀ of a square matrix H with so many rows.
+pub fn add_transpose(values: &mut [f64], count: usize) {
+    for k in 0..count {
+        for l in 0..=k {
+            let sum = values[k * count + l] + values[l * count + k];
+            (values[k * count + l], values[l * count + k]) = (sum, sum);
+        }
+    }
+}
+
+/// ½ (H + Hᵀ) of a square matrix H with so many rows.
+pub fn take_symmetric_part(values: &mut [f64], count: usize) {
+    add_transpose(values, count);
+    values.iter_mut().for_each(|value| *value *= 0.5);
+}

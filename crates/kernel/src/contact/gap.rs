@@ -1,7 +1,7 @@
 //! Distances of patches and of polygons.
 
 use radiosity_elements::patch::Patch;
-use radiosity_geom::{DVec3, distance_to_segment, sides};
+use radiosity_geom::{DVec3, area_vector, distance_to_segment, sides};
 
 /// Distance between two patches: exact for flat ones, a lower bound where one is curved.
 ///
@@ -64,8 +64,7 @@ pub fn segment_distance(p: &[DVec3], [a, b]: [DVec3; 2]) -> f64 {
 
 /// Distance of a point and a convex polygon.
 pub fn point_to_polygon(x: DVec3, polygon: &[DVec3]) -> f64 {
-    let doubled: DVec3 = sides(polygon).map(|[a, b]| (a - polygon[0]).cross(b - polygon[0])).sum();
-    let normal = doubled.normalize_or_zero();
+    let normal = area_vector(polygon).normalize_or_zero();
     // A polygon without area has no interior.
     let inside = normal != DVec3::ZERO && sides(polygon).all(|[a, b]| normal.cross(b - a).dot(x - a) >= 0.0);
     if inside {

@@ -35,7 +35,7 @@ use radiosity_elements::Element;
 use radiosity_elements::basis::AreaBasis;
 use radiosity_elements::patch::Patch;
 use radiosity_elements::rule::UnitRule;
-use radiosity_geom::{ConvexSolid, DVec2, DVec3, ROUNDING, Surface, sides};
+use radiosity_geom::{ConvexSolid, DVec2, DVec3, ROUNDING, Surface, area_vector, quadratic, sides};
 use smallvec::SmallVec;
 
 use crate::rules::far;
@@ -229,8 +229,7 @@ impl<'a> Zone<'a> {
     /// Adds W_l of what `x` sees through a polygon, given relative to x, times `factor` to `out`; returns the
     /// number of evaluations.
     pub fn seen_through(&self, x: DVec3, polygon: &[DVec3], factor: f64, out: &mut [f64]) -> u64 {
-        let doubled: DVec3 = sides(polygon).map(|[a, b]| (a - polygon[0]).cross(b - polygon[0])).sum();
-        let turn = doubled.dot(polygon[0]).signum();
+        let turn = area_vector(polygon).dot(polygon[0]).signum();
         let mut sums = Sums {
             zone: self,
             from: x - self.chart.center,
@@ -336,10 +335,8 @@ impl Sums<'_> {
         // (m·d − k) |a|² = 2 (d·a) (m·a).
         let rest = m.dot(d) - k;
         let form = |p: DVec3, q: DVec3| rest * p.dot(q) - d.dot(p) * m.dot(q) - d.dot(q) * m.dot(p);
-        let (quadratic, half, constant) = (form(step, step), form(a, step), form(a, a));
-        let root = (half * half - quadratic * constant).sqrt();
-        let far = -(half + root.copysign(half));
-        [far / quadratic, constant / far].into_iter().filter(|t| *t > 0.0 && *t < 1.0).collect()
+        let roots = quadratic(form(step, step), 2.0 * form(a, step), form(a, a));
+        roots.into_iter().filter(|t| *t > 0.0 && *t < 1.0).collect()
     }
 
     /// Adds ∫ F dσ along a part of an arc.
@@ -438,8 +435,7 @@ pub(super) mod tests {
     /// ∫ R_l dA over what `x` sees through a polygon, by midpoints.
     fn by_midpoints(element: &Element, x: DVec3, polygon: &[DVec3]) -> Vec<f64> {
         const STEPS: usize = 700;
-        let turn = sides(polygon).map(|[a, b]| (a - polygon[0]).cross(b - polygon[0])).sum::<DVec3>();
-        let turn = turn.dot(polygon[0]).signum();
+        let turn = area_vector(polygon).dot(polygon[0]).signum();
         let mut sums = vec![0.0; element.basis.len()];
         let mut values = sums.clone();
         let place = |k: usize| (k as f64 + 0.5) / STEPS as f64;

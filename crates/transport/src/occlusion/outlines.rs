@@ -26,7 +26,7 @@ mod correction_sums;
 
 use radiosity_elements::Element;
 use radiosity_elements::patch::Patch;
-use radiosity_kernel::blocks::block::Block;
+use radiosity_kernel::blocks::block::{Block, take_symmetric_part};
 use radiosity_kernel::rules::zone::Zone;
 use radiosity_visibility::Visibility;
 use rayon::prelude::*;
@@ -87,7 +87,8 @@ pub(crate) fn occluded_block(
 ) -> Block {
     let mut occlusion = occlusion(pair, blockers, visibility, limit);
     if std::ptr::eq(pair[0], pair[1]) {
-        occlusion.make_symmetric(pair[0].basis.len());
+        // The inner integrals are better than the outer ones.
+        take_symmetric_part(&mut occlusion.values, pair[0].basis.len());
     }
     if occlusion.dark {
         let mut block = Block::hidden(occlusion.values.len(), 0);

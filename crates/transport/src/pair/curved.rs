@@ -80,13 +80,14 @@ use std::f64::consts::FRAC_1_SQRT_2;
 
 use radiosity_elements::Element;
 use radiosity_elements::patch::{Patch, plane_of};
+use radiosity_kernel::PairKind;
+use radiosity_kernel::blocks::block::{Block, add_transpose, take_symmetric_part};
 use radiosity_kernel::contact::patches::Contact;
 use radiosity_kernel::contact::sectors::sectors;
 use radiosity_kernel::estimates::coarse::{largest_kernel, scale};
 use radiosity_kernel::estimates::entry_bounds::SMALLEST_ENTRY;
 use radiosity_kernel::rules::horizon::{Ball, Front};
 use radiosity_kernel::rules::zone::Zone;
-use radiosity_kernel::{PairKind, blocks::block::Block};
 use radiosity_visibility::Visibility;
 use radiosity_work::interruption::check_interrupt;
 
@@ -170,8 +171,7 @@ pub(crate) fn self_block(
         job.run();
         // The fans hold both orders of each pair: half the sum of block and transpose.
         let mut block = job.finish();
-        add_transpose(&mut block.values, element.basis.len());
-        block.values.iter_mut().for_each(|value| *value *= 0.5);
+        take_symmetric_part(&mut block.values, element.basis.len());
         return block;
     }
     // Half of all pairs are summed and then mirrored: entries on the diagonal double, the deviation grows by
@@ -187,16 +187,6 @@ pub(crate) fn self_block(
     // The error stands in both halves.
     block.report.error *= 2.0;
     block
-}
-
-/// H + Hᵀ of a square matrix.
-fn add_transpose(values: &mut [f64], count: usize) {
-    for k in 0..count {
-        for l in 0..=k {
-            let sum = values[k * count + l] + values[l * count + k];
-            (values[k * count + l], values[l * count + k]) = (sum, sum);
-        }
-    }
 }
 
 impl Job<'_> {

@@ -5,41 +5,22 @@ use std::collections::HashMap;
 use std::fmt::Write;
 
 use glam::DVec3;
-use radiosity::language;
-use radiosity::scene::Source;
-use radiosity::solve::view_factors::Options;
-use radiosity::visibility::{Shadows, Visibility};
-use radiosity::{ViewFactors, Work};
 use radiosity_test_support::random::Random;
 
-use crate::family::{Family, Row, timed};
+use crate::family::{FACTOR_STAGES, Family, of_factors};
 
 /// Balls of triangles quartered more and more often.
 pub(crate) const FAMILY: Family = Family {
     name: "balls",
-    stages: &["read", "obstacles", "view factors"],
+    stages: FACTOR_STAGES,
     sizes: &[80, 320, 1_280],
-    measure,
+    measure: |surfaces| of_factors(&ball(surfaces)),
 };
 
 /// Largest dent (radii).
 const DENT: f64 = 0.1;
 /// The golden section.
 const GOLDEN: f64 = 1.618_033_988_749_895;
-
-/// Times of the stages; "view factors" is all that follows reading, obstacles once more.
-fn measure(surfaces: usize) -> Row {
-    let mut seconds = Vec::new();
-    let text = ball(surfaces);
-    let scene =
-        timed(&mut seconds, || language::read(&Source::new("ball", &text)).expect("the ball is sound"));
-    let accuracy = radiosity::Options::default().accuracy();
-    let options = Options { subdivide: None, accuracy, shadows: Shadows::Auto, threads: 1 };
-    timed(&mut seconds, || Visibility::new(&scene, Shadows::Auto, accuracy.shadow_eps));
-    let factors = timed(&mut seconds, || ViewFactors::new(&scene, &options, &Work::alone()));
-    factors.expect("all surfaces have area");
-    Row { surfaces: scene.surfaces.len(), seconds }
-}
 
 /// The text of a ball of so many triangles.
 fn ball(triangles: usize) -> String {

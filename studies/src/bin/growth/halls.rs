@@ -8,14 +8,12 @@ use radiosity::elements::Subdivide;
 use radiosity::elements::cells::Layers;
 use radiosity::elements::space::Space;
 use radiosity::elements::{Discretization, Elements};
-use radiosity::language;
-use radiosity::scene::Source;
 use radiosity::solve::{Options, solve};
 use radiosity::visibility::covered_parts::CoveredParts;
 use radiosity::visibility::footprints::footprints;
 use radiosity_test_support::random::Random;
 
-use crate::family::{Family, Row, timed};
+use crate::family::{Family, Row, read, timed};
 
 const STAGES: &[&str] = &["read", "footprints", "covered parts", "elements", "obstacles", "solve"];
 const SIZES: &[usize] = &[1_000, 3_000, 10_000, 30_000, 100_000];
@@ -31,8 +29,7 @@ pub(crate) const CLOSED: Family =
 fn measure(surfaces: usize, closed: bool) -> Row {
     let mut seconds = Vec::new();
     let text = hall(surfaces, closed);
-    let scene =
-        timed(&mut seconds, || language::read(&Source::new("hall", &text)).expect("the hall is sound"));
+    let scene = read(&mut seconds, &text);
     timed(&mut seconds, || footprints(&scene));
     timed(&mut seconds, || CoveredParts::new(&scene));
     let how = Discretization {

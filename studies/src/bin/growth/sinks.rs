@@ -3,20 +3,14 @@
 
 use std::fmt::Write;
 
-use radiosity::language;
-use radiosity::scene::Source;
-use radiosity::solve::view_factors::Options;
-use radiosity::visibility::{Shadows, Visibility};
-use radiosity::{ViewFactors, Work};
-
-use crate::family::{Family, Row, timed};
+use crate::family::{FACTOR_STAGES, Family, of_factors};
 
 /// Heat sinks with more and more fins.
 pub(crate) const FAMILY: Family = Family {
     name: "sinks",
-    stages: &["read", "obstacles", "view factors"],
+    stages: FACTOR_STAGES,
     sizes: &[300, 600, 1_200, 2_500, 5_000],
-    measure,
+    measure: |surfaces| of_factors(&sink(surfaces / (8 * STRIPS))),
 };
 
 /// Strips along a fin.
@@ -27,20 +21,6 @@ const PLATE: f64 = 0.005;
 const HEIGHT: f64 = 0.04;
 /// Part of the width that fins stand on.
 const COVERED: f64 = 0.24;
-
-/// Times of the stages; "view factors" is all that follows reading, obstacles once more.
-fn measure(surfaces: usize) -> Row {
-    let mut seconds = Vec::new();
-    let text = sink(surfaces / (8 * STRIPS));
-    let scene =
-        timed(&mut seconds, || language::read(&Source::new("sink", &text)).expect("the sink is sound"));
-    let accuracy = radiosity::Options::default().accuracy();
-    let options = Options { subdivide: None, accuracy, shadows: Shadows::Auto, threads: 1 };
-    timed(&mut seconds, || Visibility::new(&scene, Shadows::Auto, accuracy.shadow_eps));
-    let factors = timed(&mut seconds, || ViewFactors::new(&scene, &options, &Work::alone()));
-    factors.expect("all surfaces have area");
-    Row { surfaces: scene.surfaces.len(), seconds }
-}
 
 /// The text of a heat sink of so many fins, without its two ends.
 fn sink(fins: usize) -> String {

@@ -96,6 +96,11 @@ impl Strip {
     }
 }
 
+/// The strips between breaks in order.
+fn strips(breaks: &[Break]) -> impl Iterator<Item = Strip> {
+    breaks.windows(2).map(|ends| Strip { ends: [ends[0], ends[1]] })
+}
+
 /// The element, with the points of its rules.
 pub(super) struct ZonePart<'a> {
     zone: &'a Zone<'a>,
@@ -124,9 +129,12 @@ impl<'a> ZonePart<'a> {
     /// Whether `x` sees some of it.
     pub(super) fn is_seen_from(&self, x: &Node) -> bool {
         let planes = self.planes(x);
-        let strips = self.breaks(&planes);
-        let mut strips = strips.windows(2).map(|ends| Strip { ends: [ends[0], ends[1]] });
-        strips.any(|strip| strip.width() > ROUNDING && !self.seen(&planes, strip.place(0.5).0).is_empty())
+        strips(&self.breaks(&planes)).any(|strip| self.shows(&strip, &planes))
+    }
+
+    /// Whether some of a strip is seen.
+    fn shows(&self, strip: &Strip, planes: &[Plane; 2]) -> bool {
+        strip.width() > ROUNDING && !self.seen(planes, strip.place(0.5).0).is_empty()
     }
 
     /// The conditions of sight from `x`.
@@ -150,9 +158,9 @@ impl<'a> ZonePart<'a> {
         let planes = self.planes(x);
         let mut values = vec![0.0; out.len()];
         let mut evaluations = 0;
-        for strip in self.breaks(&planes).windows(2).map(|ends| Strip { ends: [ends[0], ends[1]] }) {
+        for strip in strips(&self.breaks(&planes)) {
             evaluations += 1;
-            if strip.width() <= ROUNDING || self.seen(&planes, strip.place(0.5).0).is_empty() {
+            if !self.shows(&strip, &planes) {
                 continue;
             }
             let sectors = strip.crowding() * strip.width() / self.sector[1];

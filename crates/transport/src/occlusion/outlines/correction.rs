@@ -76,7 +76,6 @@ impl<'a> Correction<'a> {
         };
         let unit = pair.iter().map(|element| element.basis.transform()[0]).product();
         let accuracy = (0.3 * limit.error / limit.entry).clamp(1e-14, LOOSEST_OF_OUTLINES);
-        let mut ball_corners = ball_corners(accuracy);
         let (corners, inner_shape) = match other.plane {
             Some(plane) => {
                 let polygons: Vec<Vec<DVec3>> = inner.iter().map(|facet| facet.corners.clone()).collect();
@@ -85,10 +84,10 @@ impl<'a> Correction<'a> {
             }
             None => {
                 let zone = Zone::of(other, accuracy).expect("both elements lie on the inside of a sphere");
-                ball_corners *= ON_SPHERES;
                 (other.hull.clone(), InnerShape::OfSphere(zone))
             }
         };
+        let more_corners = if matches!(inner_shape, InnerShape::OfSphere(_)) { ON_SPHERES } else { 1 };
         Self {
             pair,
             visibility,
@@ -102,7 +101,7 @@ impl<'a> Correction<'a> {
             constant: other.basis.constant(),
             constants: unit * outer.basis.constant() * other.basis.constant(),
             points: points(outer.basis.total_degree(), accuracy),
-            ball_corners,
+            ball_corners: ball_corners(accuracy) * more_corners,
             accuracy,
             limit,
         }

@@ -55,19 +55,6 @@ pub(super) struct Occlusion {
     pub samples: u64,
 }
 
-impl Occlusion {
-    /// Takes ½ (S + Sᵀ) for that of an element with itself, whose inner integrals are better than the outer
-    /// ones; `count` is the number of its functions.
-    pub(super) fn make_symmetric(&mut self, count: usize) {
-        for k in 0..count {
-            for l in 0..k {
-                let mean = 0.5 * (self.values[k * count + l] + self.values[l * count + k]);
-                (self.values[k * count + l], self.values[l * count + k]) = (mean, mean);
-            }
-        }
-    }
-}
-
 /// The correction from one cell of the outer element.
 struct CellSum {
     values: Vec<f64>,
