@@ -56,6 +56,7 @@
 #[doc = include_str!("../docs/embedding.md")]
 struct Embedding;
 
+pub use radiosity_audit as audit;
 pub use radiosity_elements as elements;
 pub use radiosity_fit as fit;
 pub use radiosity_formats as formats;

@@ -121,6 +121,11 @@ impl RayTree {
         Search::new(self, *ray, None).nearest()
     }
 
+    /// Whether the ray meets nothing within its range.
+    pub fn is_free(&self, ray: &Ray) -> bool {
+        Search { goal: Goal::Any, ..Search::new(self, *ray, None) }.meets_nothing()
+    }
+
     /// The first surface that a ray meets which starts at `origin`, on the surface of place `own`, and goes
     /// along `direction`, of any length but zero.
     pub fn nearest_from(&self, own: usize, origin: DVec3, direction: DVec3) -> Option<Encounter> {

@@ -82,6 +82,8 @@ pub enum Stage {
     GatheredPixels,
     /// Texels of the light of surfaces.
     Texels,
+    /// Readings that the referee judges, in parts of their walks.
+    Referee,
 }
 
 /// Name of the stage, in few words.
@@ -109,6 +111,7 @@ impl Stage {
             Self::DirectPixels => "direct light",
             Self::GatheredPixels => "gathering",
             Self::Texels => "texels",
+            Self::Referee => "referee",
         }
     }
 }

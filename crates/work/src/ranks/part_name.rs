@@ -46,4 +46,6 @@ pub enum PartName {
     Borders,
     /// Textures of light, surface by surface.
     Textures,
+    /// Walks of the referee, reading by reading.
+    Referee,
 }

@@ -1,0 +1,158 @@
+//! Lamps: what sends light by itself, and which of them a point asks.
+//!
+//! A lamp is chosen with a probability about in proportion to what it may send: by descent of a binary tree
+//! over all lamps, at each fork by Φ / max(d², r²) of either child, with its flux Φ, the distance d of its box
+//! and the radius r of that; a child that lies behind the point, or all of whose lamps face away, is left out.
+//! On a surface a point is then drawn by area, on a line by length.
+//!
+//! Reference: A. Conty Estevez, C. Kulla, *Importance sampling of many lights with adaptive tree splitting*,
+//! Proc. ACM Comput. Graph. Interact. Tech. 1(2), 2018.
+
+mod tree;
+
+use std::f64::consts::PI;
+use std::sync::Arc;
+
+use radiosity_geom::{Aabb, DVec3, Rect};
+use radiosity_scene::{Luminaire, Scene};
+
+use crate::groups::Groups;
+use crate::rays::{Place, Rays};
+use crate::skin::Skin;
+use crate::spectrum::Spectrum;
+use crate::spread::Spread;
+use tree::{Leaf, Tree};
+
+/// The lamps of a scene.
+#[derive(Debug)]
+pub(crate) struct Lamps {
+    list: Vec<Lamp>,
+    tree: Tree,
+    /// The lamp that a surface is.
+    of_surface: Vec<Option<u32>>,
+}
+
+#[derive(Debug)]
+enum Lamp {
+    Surface { surface: usize, spread: Spread },
+    Line { luminaire: Arc<Luminaire>, strength: Spectrum, half: DVec3, group: usize },
+}
+
+/// A point on a lamp, as another point sees it without shadows.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct LampPoint {
+    /// Where a ray towards it ends.
+    pub(crate) end: DVec3,
+    /// The irradiance that it would make if it were all there is, over the density of such points (W m⁻²).
+    pub(crate) irradiance: Spectrum,
+    /// Density of such points per solid angle; None where no ray can meet the lamp.
+    pub(crate) density: Option<f64>,
+    /// Index of its light group.
+    pub(crate) group: usize,
+}
+
+impl Lamps {
+    /// The lamps among surfaces with these skins, and the luminaires without an area; `first` is the first band.
+    pub(crate) fn of(scene: &Scene, rays: &Rays, skins: &[Skin], groups: &Groups, first: usize) -> Self {
+        let mut list = Vec::new();
+        let mut leaves = Vec::new();
+        let mut of_surface = vec![None; skins.len()];
+        for (surface, skin) in skins.iter().enumerate().filter(|(_, skin)| skin.emits()) {
+            of_surface[surface] = Some(list.len() as u32);
+            let shape = rays.shape(surface);
+            leaves.push(Leaf {
+                bounds: shape.bounds(&Rect::FULL),
+                flux: rays.area(surface) * skin.mean_exitance().sum(),
+                plane: shape.region().map(|region| (region.origin(), region.normal())),
+            });
+            list.push(Lamp::Surface { surface, spread: Spread::over(shape, Rect::FULL) });
+        }
+        for (index, luminaire) in scene.luminaires.iter().enumerate() {
+            let strength = luminaire.factor() * Spectrum::of(first, &luminaire.strength);
+            if luminaire.extent.is_area() || strength.is_dark() {
+                continue;
+            }
+            let half = luminaire.half_line();
+            let ends = [luminaire.position - half, luminaire.position + half];
+            let flux = strength.sum() * luminaire.distribution.flux_factor();
+            leaves.push(Leaf { bounds: Aabb::around(ends), flux, plane: None });
+            let group = groups.of_luminaire(index);
+            list.push(Lamp::Line { luminaire: Arc::new(luminaire.clone()), strength, half, group });
+        }
+        Self { tree: Tree::of(&leaves), list, of_surface }
+    }
+
+    /// No lamps: light is found where rays end.
+    pub(crate) fn none(surfaces: usize) -> Self {
+        Self { list: Vec::new(), tree: Tree::of(&[]), of_surface: vec![None; surfaces] }
+    }
+
+    /// Whether there are none.
+    pub(crate) fn is_empty(&self) -> bool {
+        self.list.is_empty()
+    }
+
+    /// A point on a lamp for a point that receives along `normal`; None where the draws lead to no light.
+    pub(crate) fn point(
+        &self,
+        rays: &Rays,
+        skins: &[Skin],
+        groups: &Groups,
+        [choice, s, t]: [f64; 3],
+        point: DVec3,
+        normal: DVec3,
+    ) -> Option<LampPoint> {
+        let (lamp, share) = self.tree.choose(point, normal, choice)?;
+        match &self.list[lamp] {
+            Lamp::Surface { surface, spread } => {
+                let on = spread.point([s, t])?;
+                let step = on.point - point;
+                let squared = step.length_squared();
+                let along = step / squared.sqrt();
+                let (cosine, leaving) = (normal.dot(along), -on.normal.dot(along));
+                if cosine <= 0.0 || leaving <= 0.0 {
+                    return None;
+                }
+                let skin = &skins[*surface];
+                let parameters = on.parameters.or_else(|| {
+                    let find = || rays.shape(*surface).invert(on.point);
+                    if skin.is_patterned() { find() } else { Some([0.0; 2]) }
+                })?;
+                let density = share * on.density * squared / leaving;
+                Some(LampPoint {
+                    end: on.point + rays.start() * on.normal,
+                    irradiance: (cosine / (PI * density)) * skin.sent(parameters, -along),
+                    density: Some(density),
+                    group: groups.of_surface(*surface),
+                })
+            }
+            Lamp::Line { luminaire, strength, half, group } => {
+                let end = luminaire.position + (2.0 * s - 1.0) * *half;
+                let step = end - point;
+                let squared = step.length_squared();
+                let along = step / squared.sqrt();
+                let cosine = normal.dot(along);
+                if cosine <= 0.0 {
+                    return None;
+                }
+                let factor = luminaire.relative(-along) * cosine / (squared * share);
+                Some(LampPoint { end, irradiance: factor * *strength, density: None, group: *group })
+            }
+        }
+    }
+
+    /// Density per solid angle at which a point that receives along `normal` draws this place on a lamp; 0 where
+    /// there is no lamp.
+    pub(crate) fn density(&self, place: &Place, point: DVec3, normal: DVec3) -> f64 {
+        let Some(lamp) = self.of_surface[place.surface] else { return 0.0 };
+        let Lamp::Surface { spread, .. } = &self.list[lamp as usize] else { return 0.0 };
+        let step = place.point - point;
+        let squared = step.length_squared();
+        let leaving = -place.normal.dot(step) / squared.sqrt();
+        if leaving <= 0.0 {
+            return 0.0;
+        }
+        let share = self.tree.share(lamp as usize, point, normal);
+        share * spread.density(place.parameters) * squared / leaving
+    }
+}

@@ -1,0 +1,34 @@
+//! A referee: unbiased estimates of light, heat and view factors by path tracing, and what they say of printed
+//! numbers.
+//!
+//! It knows what a ray meets first, what a point there sends out and reflects, and points on lamps, and nothing
+//! else of how this program computes light: no rules, no elements, no cells, no lists of blockers. What it
+//! shares with what it judges is the scene itself: the text, the shapes, their fitting, and the models of
+//! luminaires, skies and glass.
+//!
+//! In order: draws (`random`, `lattice`), bands that walk together (`spectrum`), what rays meet (`rays`), points
+//! spread over surfaces (`spread`), what surfaces send (`skin`, `groups`, `lamps`, `suns`, `sheets`), walks
+//! (`walk`), what is read (`spot`), how much of it (`effort`), and the [`Referee`].
+//!
+//! Imports `geom`, `scene` and `work`.
+
+mod random;
+mod lattice;
+mod spectrum;
+mod rays;
+mod spread;
+mod skin;
+mod groups;
+mod lamps;
+mod suns;
+mod sheets;
+mod walk;
+mod spot;
+mod sample;
+mod effort;
+mod referee;
+
+pub use effort::Effort;
+pub use referee::{Estimate, Mean, Referee};
+pub use sample::SamplePoint;
+pub use spot::{Pixel, Spot};

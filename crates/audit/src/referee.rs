@@ -1,0 +1,195 @@
+//! The referee: walks for each reading, their means and errors.
+
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use radiosity_scene::Scene;
+use radiosity_work::ranks::PartName;
+use radiosity_work::{Stage, Work};
+use serde::{Deserialize, Serialize};
+
+use crate::effort::Effort;
+use crate::groups::Groups;
+use crate::lamps::Lamps;
+use crate::lattice::{Draws, Lattice, MOST};
+use crate::random::Random;
+use crate::rays::Rays;
+use crate::sample::{SamplePoint, over_surfaces};
+use crate::skin::Skin;
+use crate::spectrum::TOGETHER;
+use crate::spot::{Begin, Spot, Start};
+use crate::suns::Suns;
+use crate::walk::{Ground, Scores};
+
+/// Probability with which a walk of the weight 1 goes on from its first hit. Measured to be best on most rooms:
+/// `docs/theory/error.md`.
+const GOING_ON: f64 = 0.5;
+
+/// Points on lamps beside each cosine ray at a vertex that is read. Measured: as above.
+const LAMP_POINTS: u64 = 2;
+
+/// Streams of random numbers of a shift: of the lattices, and of what follows them.
+const OF_LATTICES: u64 = 0;
+const OF_WALKS: u64 = 1;
+/// Stream of the places that are read.
+const OF_SAMPLES: u64 = 2;
+
+/// A scene, to be read by walks.
+#[derive(Debug)]
+pub struct Referee {
+    rays: Rays,
+    groups: Groups,
+    scene: Scene,
+}
+
+/// An unbiased mean of walks.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Mean {
+    /// The mean (W m⁻²).
+    pub value: f64,
+    /// Its standard error s, from the spread of independent means.
+    pub error: f64,
+}
+
+/// The estimate of one reading.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Estimate {
+    /// One mean for each band.
+    pub bands: Vec<Mean>,
+    /// The light of each group by itself, one mean for each band, in the order of [`Referee::groups`].
+    pub groups: Vec<Vec<Mean>>,
+    /// Rays that were traced for it.
+    pub rays: u64,
+}
+
+/// The sums of one move of the lattice: means by group, and rays.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+struct Shift {
+    /// Group by group, all bands of each.
+    means: Vec<Vec<f64>>,
+    rays: u64,
+}
+
+impl Referee {
+    /// The referee of the light of a scene.
+    pub fn of_light(scene: &Scene) -> Self {
+        Self { rays: Rays::of(scene), groups: Groups::of(scene), scene: scene.clone() }
+    }
+
+    /// The light groups that estimates keep apart: None for what belongs to no group.
+    pub fn groups(&self) -> &[Option<String>] {
+        self.groups.names()
+    }
+
+    /// About `count` points, even over the fronts of all surfaces where nothing stands on them; others by
+    /// another seed.
+    pub fn sample(&self, count: usize, seed: u64) -> Vec<SamplePoint> {
+        over_surfaces(&self.rays, count, &mut Random::of(&[seed, OF_SAMPLES]))
+    }
+
+    /// Estimates of the light at each spot, in order: the same on any number of threads and ranks.
+    pub fn estimates(&self, spots: &[Spot], effort: &Effort, work: &Work<'_>) -> Vec<Estimate> {
+        let grounds: Vec<Ground<'_>> =
+            (0..self.scene.bands.len()).step_by(TOGETHER).map(|first| self.ground(first)).collect();
+        self.read(&grounds, self.scene.bands.len(), spots, effort, work)
+    }
+
+    fn ground(&self, first: usize) -> Ground<'_> {
+        let skins = Skin::all(&self.scene, first);
+        Ground {
+            lamps: Lamps::of(&self.scene, &self.rays, &skins, &self.groups, first),
+            suns: Suns::of(&self.scene, first),
+            rays: &self.rays,
+            groups: &self.groups,
+            skins,
+            sheets: Vec::new(),
+            surroundings: [0.0; 2],
+            going_on: GOING_ON,
+        }
+    }
+
+    fn read(
+        &self,
+        grounds: &[Ground<'_>],
+        bands: usize,
+        spots: &[Spot],
+        effort: &Effort,
+        work: &Work<'_>,
+    ) -> Vec<Estimate> {
+        let starts: Vec<Start<'_>> = spots.iter().map(|spot| Start::of(spot, &self.rays)).collect();
+        let (done, count) = (AtomicUsize::new(0), spots.len() * Effort::SHIFTS);
+        let shift = |k: usize| {
+            let [spot, shift] = [k / Effort::SHIFTS, k % Effort::SHIFTS];
+            let parts = grounds.iter().enumerate().map(|(part, ground)| {
+                let name = [effort.seed, spot as u64, shift as u64, part as u64];
+                shift_of(ground, &starts[spot], effort.log, &name)
+            });
+            let sums: Vec<Scores> = parts.collect();
+            work.report_done(Stage::Referee, done.fetch_add(1, Ordering::Relaxed) + 1, count);
+            let rays = sums.iter().map(|own| own.rays).sum();
+            let group = |group: usize| {
+                let values = sums.iter().flat_map(|own| own.groups[group].0);
+                values.take(bands).collect()
+            };
+            Shift { means: (0..self.groups.names().len()).map(group).collect(), rays }
+        };
+        let shifts = work.ranks.map_even(PartName::Referee, count, 1, shift);
+        shifts.chunks_exact(Effort::SHIFTS).map(|own| estimate(own, bands)).collect()
+    }
+}
+
+/// The means of one move of the lattice at a start.
+fn shift_of(ground: &Ground<'_>, start: &Start<'_>, log: u32, name: &[u64; 4]) -> Scores {
+    let [seed, spot, shift, part] = *name;
+    let mut random = Random::of(&[seed, spot, shift, part, OF_LATTICES]);
+    let lattice = Lattice::moved(log, &mut random);
+    let lamp_log = (log + LAMP_POINTS.trailing_zeros()).min(MOST);
+    let lamp_lattice = Lattice::moved(lamp_log, &mut random);
+    let count = 1u64 << log;
+    let points = (1u64 << lamp_log) / count;
+    let mut scores = Scores::none(ground.groups.names().len());
+    let mut weights = 0.0;
+    for k in 0..count {
+        let mut draws = Draws::new(&lattice, k, Random::of(&[seed, spot, shift, part, OF_WALKS, k]));
+        match start.begin(draws.pair()) {
+            Begin::Covered => continue,
+            Begin::Against(ray) => {
+                weights += 1.0;
+                ground.look(&ray, &mut draws, &mut scores);
+            }
+            Begin::At(vertex, weight) => {
+                weights += weight;
+                for point in 0..points {
+                    let draw = lamp_lattice.first_three(k * points + point);
+                    ground.add_lamp_point(&vertex, weight, points as f64, draw, &mut scores);
+                }
+                ground.walk(&vertex, weight, points as f64, &mut draws, &mut scores);
+            }
+        }
+    }
+    if weights > 0.0 {
+        scores.groups.iter_mut().for_each(|sum| *sum = (1.0 / weights) * *sum);
+    }
+    scores
+}
+
+fn estimate(shifts: &[Shift], bands: usize) -> Estimate {
+    let groups = shifts[0].means.len();
+    let of = |value: &dyn Fn(&Shift) -> f64| Mean::of(&shifts.iter().map(value).collect::<Vec<_>>());
+    let total = |band: usize| of(&|own| own.means.iter().map(|group| group[band]).sum());
+    let group = |group: usize| (0..bands).map(|band| of(&|own| own.means[group][band])).collect();
+    Estimate {
+        bands: (0..bands).map(total).collect(),
+        groups: (0..groups).map(group).collect(),
+        rays: shifts.iter().map(|own| own.rays).sum(),
+    }
+}
+
+impl Mean {
+    /// The mean of independent values, at least two, and its standard error.
+    pub fn of(values: &[f64]) -> Self {
+        let count = values.len() as f64;
+        let value = values.iter().sum::<f64>() / count;
+        let squares: f64 = values.iter().map(|own| (own - value).powi(2)).sum();
+        Self { value, error: (squares / (count * (count - 1.0))).sqrt() }
+    }
+}
