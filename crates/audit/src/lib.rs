@@ -8,7 +8,7 @@
 //!
 //! In order: draws (`random`, `lattice`), bands that walk together (`spectrum`), what rays meet (`rays`), points
 //! spread over surfaces (`spread`), what surfaces send (`skin`, `groups`, `lamps`, `suns`, `sheets`), walks
-//! (`walk`), what is read (`spot`), how much of it (`effort`), and the [`Referee`].
+//! (`walk`), what is read (`spot`), how much of it (`effort`), the [`Referee`], and its [`Verdict`].
 //!
 //! Imports `geom`, `scene` and `work`.
 
@@ -27,8 +27,10 @@ mod spot;
 mod sample;
 mod effort;
 mod referee;
+mod verdict;
 
 pub use effort::Effort;
 pub use referee::{Estimate, Mean, Referee};
 pub use sample::SamplePoint;
 pub use spot::{Pixel, Spot};
+pub use verdict::{Judged, SignedMean, Verdict, WorstReading};

@@ -1,0 +1,266 @@
+//! What the referee says of printed numbers.
+//!
+//! Of n readings Ê_i with the unbiased means M_i ± s_i, independent of Ê_i, and d_i = Ê_i − M_i,
+//!
+//! ```text
+//! err² = Σ w_i (d_i² − s_i²) / Σ w_i (M_i² − s_i²)
+//! ```
+//!
+//! is the square of their relative error in the L2 mean, numerator and denominator unbiased; it may be negative.
+//! Its standard error follows from the spread of the n terms, t_i = w_i (d_i² − s_i² − err² (M_i² − s_i²)),
+//!
+//! ```text
+//! SE² = n/(n − 1) Σ t_i² / (Σ w_i (M_i² − s_i²))² .
+//! ```
+//!
+//! If the readings are right, d_i² − s_i² has the variance 2 σ⁴ (1 + 1/ν), where s_i² has ν = 7 degrees of
+//! freedom and σ⁴ is found from s⁴ ν/(ν + 2). By this *chance* alone err² has the standard error SE₀, and an
+//! error of √(3 SE₀) can be seen. A mean of signed differences over the readings of a surface, a plane or a light
+//! group has by chance √(Σ s²)/m; it sees a fault of one sign two to three times smaller.
+//!
+//! What exceeds chance by three standard errors, or by as many more as there are means to choose from, is a
+//! finding.
+
+use std::collections::BTreeMap;
+
+use serde::Serialize;
+
+use crate::effort::Effort;
+use crate::referee::{Estimate, Mean};
+
+/// Degrees of freedom of s².
+const FREEDOM: f64 = Effort::SHIFTS as f64 - 1.0;
+
+/// Standard errors beyond which something is a finding, of one thing that is looked at: by chance one in 700.
+const FINDING: f64 = 3.0;
+
+/// Standard errors beyond which a single reading is named: by chance 1.6 in 1000 exceed them with eight shifts.
+const OUTLIER: f64 = 5.0;
+
+/// Part of the mean below which no single reading is named.
+const NEGLIGIBLE: f64 = 0.01;
+
+/// A printed number of each band beside what the referee found.
+#[derive(Clone, Debug)]
+pub struct Judged {
+    /// The printed numbers, one for each band.
+    pub printed: Vec<f64>,
+    /// The light of each group by itself, in the order of the estimate's; empty where it was not printed.
+    pub printed_groups: Vec<Vec<f64>>,
+    /// What the referee found.
+    pub estimate: Estimate,
+    /// Weight w of the reading, e.g. the area that it stands for.
+    pub weight: f64,
+    /// Name of the class that it belongs to: a surface or a plane.
+    pub class: String,
+}
+
+/// The verdict on a run.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Verdict {
+    /// err², which may be negative.
+    pub squared: f64,
+    /// Its standard error, from the spread of the readings.
+    pub squared_error: f64,
+    /// Its standard error SE₀ if all readings were right.
+    pub by_chance: f64,
+    /// Readings.
+    pub readings: usize,
+    /// Rays that were traced.
+    pub rays: u64,
+    /// Means of signed differences, those that exceed chance most first.
+    pub signed: Vec<SignedMean>,
+    /// The readings that differ most, in order of what they add to err².
+    pub worst: Vec<WorstReading>,
+}
+
+/// A mean of signed differences, printed less true.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct SignedMean {
+    /// Name of the surface, the plane or the light group.
+    pub of: String,
+    /// Readings that it is a mean of.
+    pub readings: usize,
+    /// The mean difference over the mean of what is true.
+    pub relative: f64,
+    /// Its standard error, by chance alone.
+    pub error: f64,
+    /// Whether it exceeds chance.
+    pub is_finding: bool,
+}
+
+/// A reading that differs.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct WorstReading {
+    /// Its number.
+    pub reading: usize,
+    /// Name of its surface or plane.
+    pub of: String,
+    /// The band that differs most.
+    pub band: usize,
+    /// The printed number.
+    pub printed: f64,
+    /// What the referee found.
+    pub found: Mean,
+    /// Whether it differs by more than five standard errors and a hundredth of the mean.
+    pub is_outlier: bool,
+}
+
+impl Verdict {
+    /// The verdict on some readings, of which `worst` are named.
+    pub fn of(judged: &[Judged], worst: usize) -> Self {
+        let terms: Vec<Terms> = judged.iter().map(Terms::of).collect();
+        let count = terms.len() as f64;
+        let (above, below) = (sum(&terms, |own| own.above), sum(&terms, |own| own.below));
+        let squared = above / below;
+        let spread = sum(&terms, |own| (own.above - squared * own.below).powi(2));
+        let chance = sum(&terms, |own| own.chance_squared);
+        Self {
+            squared,
+            squared_error: (spread * count / (count - 1.0)).sqrt() / below,
+            by_chance: chance.sqrt() / below,
+            readings: judged.len(),
+            rays: judged.iter().map(|own| own.estimate.rays).sum(),
+            signed: signed_means(judged),
+            worst: worst_readings(judged, &terms, (below / count).max(0.0).sqrt(), worst),
+        }
+    }
+
+    /// The relative error in the L2 mean: √err², 0 where that is negative.
+    pub fn error(&self) -> f64 {
+        self.squared.max(0.0).sqrt()
+    }
+
+    /// The least relative error that would have been seen, √(3 SE₀).
+    pub fn visible(&self) -> f64 {
+        (FINDING * self.by_chance).sqrt()
+    }
+
+    /// An error that the true one hardly exceeds: √(err² and its standard error).
+    pub fn bound(&self) -> f64 {
+        (self.squared + self.squared_error.max(self.by_chance)).max(0.0).sqrt()
+    }
+
+    /// Whether the readings differ by more than chance from what is true and by more than `told`, the relative
+    /// error that the run tells: in the L2 mean, in a signed mean, or in single readings.
+    pub fn finds(&self, told: f64) -> bool {
+        self.exceeds(told) || self.signed.iter().any(|own| own.is_finding && own.exceeds(told))
+    }
+
+    /// Whether the error in the L2 mean exceeds `told` by more than chance.
+    pub fn exceeds(&self, told: f64) -> bool {
+        self.squared - told * told > FINDING * self.by_chance
+    }
+}
+
+impl SignedMean {
+    /// Whether it exceeds `told` by more than chance.
+    fn exceeds(&self, told: f64) -> bool {
+        self.relative.abs() - told > FINDING * self.error
+    }
+
+    /// The mean over its standard error.
+    fn score(&self) -> f64 {
+        self.relative.abs() / self.error
+    }
+}
+
+/// What a reading adds to sums over readings, all bands together.
+struct Terms {
+    above: f64,
+    below: f64,
+    chance_squared: f64,
+}
+
+impl Terms {
+    fn of(judged: &Judged) -> Self {
+        let mut terms = Self { above: 0.0, below: 0.0, chance_squared: 0.0 };
+        for (printed, mean) in judged.printed.iter().zip(&judged.estimate.bands) {
+            let variance = mean.error * mean.error;
+            terms.above += judged.weight * ((printed - mean.value).powi(2) - variance);
+            terms.below += judged.weight * (mean.value * mean.value - variance);
+            let fourth = variance * variance * FREEDOM / (FREEDOM + 2.0);
+            // Bands of one walk err together: their standard deviations add up, not their variances.
+            terms.chance_squared += judged.weight * (2.0 * (1.0 + 1.0 / FREEDOM) * fourth).sqrt();
+        }
+        terms.chance_squared *= terms.chance_squared;
+        terms
+    }
+}
+
+fn sum(terms: &[Terms], value: impl Fn(&Terms) -> f64) -> f64 {
+    terms.iter().map(value).sum()
+}
+
+/// Means of signed differences by class and by light group, those that exceed chance most first.
+fn signed_means(judged: &[Judged]) -> Vec<SignedMean> {
+    let mut classes: BTreeMap<&str, Differences> = BTreeMap::new();
+    for own in judged {
+        let sums = classes.entry(&own.class).or_default();
+        own.printed.iter().zip(&own.estimate.bands).for_each(|(printed, mean)| sums.add(*printed, mean));
+        sums.readings += 1;
+    }
+    let mut all: Vec<SignedMean> =
+        classes.into_iter().filter_map(|(name, sums)| sums.mean(name.to_owned())).collect();
+    let chosen_from = all.len();
+    let threshold = threshold(chosen_from);
+    all.iter_mut().for_each(|own| own.is_finding = own.score() > threshold);
+    all.sort_by(|a, b| b.score().total_cmp(&a.score()).then_with(|| a.of.cmp(&b.of)));
+    all
+}
+
+/// Sums over the readings of a class.
+#[derive(Default)]
+struct Differences {
+    readings: usize,
+    difference: f64,
+    /// Sum of standard errors of the bands of each reading, squared: bands err together.
+    variance: f64,
+    found: f64,
+}
+
+impl Differences {
+    fn add(&mut self, printed: f64, mean: &Mean) {
+        self.difference += printed - mean.value;
+        self.variance += mean.error * mean.error;
+        self.found += mean.value;
+    }
+
+    fn mean(self, of: String) -> Option<SignedMean> {
+        let is_told = self.found > 0.0 && self.variance > 0.0;
+        is_told.then(|| SignedMean {
+            of,
+            readings: self.readings,
+            relative: self.difference / self.found,
+            error: self.variance.sqrt() / self.found,
+            is_finding: false,
+        })
+    }
+}
+
+/// Standard errors that the largest of `count` means exceeds as seldom by chance as one exceeds three.
+fn threshold(count: usize) -> f64 {
+    // P(|z| > x) ≈ √(2/π) e^(−x²/2) / x; solved for P = 0.0027 / count by iteration.
+    let wanted = 0.0027 / count.max(1) as f64;
+    let mut x = FINDING;
+    for _ in 0..50 {
+        x = (2.0 * ((2.0 / std::f64::consts::PI).sqrt() / (x * wanted)).ln()).max(1.0).sqrt();
+    }
+    x.max(FINDING)
+}
+
+/// The readings that add most to err²; `mean` is the L2 mean of what is true.
+fn worst_readings(judged: &[Judged], terms: &[Terms], mean: f64, count: usize) -> Vec<WorstReading> {
+    let mut order: Vec<usize> = (0..judged.len()).collect();
+    order.sort_by(|a, b| terms[*b].above.total_cmp(&terms[*a].above).then(a.cmp(b)));
+    let named = |reading: &usize| {
+        let own = &judged[*reading];
+        let pairs = || own.printed.iter().copied().zip(own.estimate.bands.iter().copied()).enumerate();
+        let off = |(_, (printed, found)): &(usize, (f64, Mean))| (printed - found.value).abs();
+        let (band, (printed, found)) = pairs().max_by(|a, b| off(a).total_cmp(&off(b)))?;
+        let difference = (printed - found.value).abs();
+        let is_outlier = difference > OUTLIER * found.error && difference > NEGLIGIBLE * mean;
+        Some(WorstReading { reading: *reading, of: own.class.clone(), band, printed, found, is_outlier })
+    };
+    order.iter().take(count).filter_map(named).collect()
+}
