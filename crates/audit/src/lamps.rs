@@ -3,24 +3,28 @@
 //! A lamp is chosen with a probability about in proportion to what it may send: by descent of a binary tree
 //! over all lamps, at each fork by Φ / max(d², r²) of either child, with its flux Φ, the distance d of its box
 //! and the radius r of that; a child that lies behind the point, or all of whose lamps face away, is left out.
-//! On a surface a point is then drawn by area, on a line by length.
+//! On a surface a point is then drawn by area, on a line by length, on balls and near flat lamps by solid angle ([`ball`], [`facets`]).
 //!
 //! Reference: A. Conty Estevez, C. Kulla, *Importance sampling of many lights with adaptive tree splitting*,
 //! Proc. ACM Comput. Graph. Interact. Tech. 1(2), 2018.
 
+mod ball;
+mod facets;
 mod tree;
 
 use std::f64::consts::PI;
 use std::sync::Arc;
 
-use radiosity_geom::{Aabb, DVec3, Rect};
+use radiosity_geom::{Aabb, DVec3, Rect, Surface};
 use radiosity_scene::{Luminaire, Scene};
 
 use crate::groups::Groups;
 use crate::rays::{Place, Rays};
 use crate::skin::Skin;
 use crate::spectrum::Spectrum;
-use crate::spread::Spread;
+use crate::spread::{Spread, SpreadPoint};
+use ball::Ball;
+use facets::Facets;
 use tree::{Leaf, Tree};
 
 /// The lamps of a scene.
@@ -34,7 +38,7 @@ pub(crate) struct Lamps {
 
 #[derive(Debug)]
 enum Lamp {
-    Surface { surface: usize, spread: Spread },
+    Surface { surface: usize, spread: Spread, form: Form },
     Line { luminaire: Arc<Luminaire>, strength: Spectrum, half: DVec3, group: usize },
 }
 
@@ -65,7 +69,8 @@ impl Lamps {
                 flux: rays.area(surface) * skin.mean_exitance().sum(),
                 plane: shape.region().map(|region| (region.origin(), region.normal())),
             });
-            list.push(Lamp::Surface { surface, spread: Spread::over(shape, Rect::FULL) });
+            let form = if skin.is_patterned() { Form::Any } else { Form::of(shape.as_ref()) };
+            list.push(Lamp::Surface { surface, spread: Spread::over(shape, Rect::FULL), form });
         }
         for (index, luminaire) in scene.luminaires.iter().enumerate() {
             let strength = luminaire.factor() * Spectrum::of(first, &luminaire.strength);
@@ -104,24 +109,20 @@ impl Lamps {
     ) -> Option<LampPoint> {
         let (lamp, share) = self.tree.choose(point, normal, choice)?;
         match &self.list[lamp] {
-            Lamp::Surface { surface, spread } => {
-                let on = spread.point([s, t])?;
-                let step = on.point - point;
-                let squared = step.length_squared();
-                let along = step / squared.sqrt();
-                let (cosine, leaving) = (normal.dot(along), -on.normal.dot(along));
-                if cosine <= 0.0 || leaving <= 0.0 {
+            Lamp::Surface { surface, spread, form } => {
+                let skin = &skins[*surface];
+                let on = match form.point([s, t], point) {
+                    Some(on) => on,
+                    None => OnLamp::of(spread.point([s, t])?, point, || rays.shape(*surface), skin)?,
+                };
+                let cosine = normal.dot(on.along);
+                if cosine <= 0.0 {
                     return None;
                 }
-                let skin = &skins[*surface];
-                let parameters = on.parameters.or_else(|| {
-                    let find = || rays.shape(*surface).invert(on.point);
-                    if skin.is_patterned() { find() } else { Some([0.0; 2]) }
-                })?;
-                let density = share * on.density * squared / leaving;
+                let density = share * on.density;
                 Some(LampPoint {
                     end: on.point + rays.start() * on.normal,
-                    irradiance: (cosine / (PI * density)) * skin.sent(parameters, -along),
+                    irradiance: (cosine / (PI * density)) * skin.sent(on.parameters, -on.along),
                     density: Some(density),
                     group: groups.of_surface(*surface),
                 })
@@ -145,14 +146,89 @@ impl Lamps {
     /// there is no lamp.
     pub(crate) fn density(&self, place: &Place, point: DVec3, normal: DVec3) -> f64 {
         let Some(lamp) = self.of_surface[place.surface] else { return 0.0 };
-        let Lamp::Surface { spread, .. } = &self.list[lamp as usize] else { return 0.0 };
+        let Lamp::Surface { spread, form, .. } = &self.list[lamp as usize] else { return 0.0 };
+        let share = self.tree.share(lamp as usize, point, normal);
+        if let Some(density) = form.density(point) {
+            return share * density;
+        }
         let step = place.point - point;
         let squared = step.length_squared();
         let leaving = -place.normal.dot(step) / squared.sqrt();
         if leaving <= 0.0 {
             return 0.0;
         }
-        let share = self.tree.share(lamp as usize, point, normal);
         share * spread.density(place.parameters) * squared / leaving
+    }
+}
+
+/// Form of a lamp whose points can be drawn evenly over the solid angle in which it is seen.
+#[derive(Clone, Debug)]
+enum Form {
+    Ball(Ball),
+    Facets(Facets),
+    /// Any other: its points are drawn by area.
+    Any,
+}
+
+impl Form {
+    fn of(shape: &dyn Surface) -> Self {
+        let facets = || Facets::of(shape).map(Self::Facets);
+        Ball::of(shape).map(Self::Ball).or_else(facets).unwrap_or(Self::Any)
+    }
+
+    /// The point of two draws for a point; None where it is to be drawn by area.
+    fn point(&self, draws: [f64; 2], from: DVec3) -> Option<OnLamp> {
+        match self {
+            Self::Ball(ball) => ball.point(draws, from),
+            Self::Facets(facets) => facets.point(draws, from),
+            Self::Any => None,
+        }
+    }
+
+    /// Density per solid angle of its points for a point; None where they are drawn by area.
+    fn density(&self, from: DVec3) -> Option<f64> {
+        match self {
+            Self::Ball(ball) => ball.density(from),
+            Self::Facets(facets) => facets.density(from),
+            Self::Any => None,
+        }
+    }
+}
+
+/// A point on the surface of a lamp, for a point that sees it.
+#[derive(Clone, Copy, Debug)]
+struct OnLamp {
+    point: DVec3,
+    normal: DVec3,
+    /// Its parameters, where anybody asks.
+    parameters: [f64; 2],
+    /// Unit vector from the point that sees it.
+    along: DVec3,
+    /// Density of such points per solid angle.
+    density: f64,
+}
+
+impl OnLamp {
+    /// A point drawn by area, for the point `from`; None where it faces away.
+    fn of<'a>(
+        on: SpreadPoint,
+        from: DVec3,
+        shape: impl Fn() -> &'a Arc<dyn Surface>,
+        skin: &Skin,
+    ) -> Option<Self> {
+        let step = on.point - from;
+        let squared = step.length_squared();
+        let along = step / squared.sqrt();
+        let leaving = -on.normal.dot(along);
+        if leaving <= 0.0 {
+            return None;
+        }
+        let parameters = match on.parameters {
+            Some(parameters) => parameters,
+            None if skin.is_patterned() => shape().invert(on.point)?,
+            None => [0.0; 2],
+        };
+        let density = on.density * squared / leaving;
+        Some(Self { point: on.point, normal: on.normal, parameters, along, density })
     }
 }

@@ -45,11 +45,6 @@ impl Lattice {
         Self { count, generators, shift: std::array::from_fn(|_| random.next()) }
     }
 
-    /// The first three coordinates of point k.
-    pub(crate) fn first_three(&self, k: u64) -> [f64; 3] {
-        [0, 1, 2].map(|dimension| self.at(k, dimension))
-    }
-
     /// Coordinate `dimension` of point k.
     #[inline]
     fn at(&self, k: u64, dimension: usize) -> f64 {

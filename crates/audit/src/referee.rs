@@ -10,7 +10,7 @@ use serde::{Deserialize, Serialize};
 use crate::effort::Effort;
 use crate::groups::Groups;
 use crate::lamps::Lamps;
-use crate::lattice::{Draws, Lattice, MOST};
+use crate::lattice::{Draws, Lattice};
 use crate::random::Random;
 use crate::rays::Rays;
 use crate::sample::{SamplePoint, over_surfaces};
@@ -20,12 +20,9 @@ use crate::spot::{Begin, Spot, Start};
 use crate::suns::Suns;
 use crate::walk::{Ground, Scores};
 
-/// Probability with which a walk of the weight 1 goes on from its first hit. Measured to be best on most rooms:
-/// `docs/theory/error.md`.
-const GOING_ON: f64 = 0.5;
-
-/// Points on lamps beside each cosine ray at a vertex that is read. Measured: as above.
-const LAMP_POINTS: u64 = 2;
+/// Weight k⁻¹ below which a walk may end. Measured (`docs/theory/error.md`): of ½, 1, 1.5, 2 and 4 the k of the
+/// least variance at equal time on most scenes.
+const GOING_ON: f64 = 2.0;
 
 /// Streams of random numbers of a shift: of the lattices, and of what follows them.
 const OF_LATTICES: u64 = 0;
@@ -142,10 +139,7 @@ fn shift_of(ground: &Ground<'_>, start: &Start<'_>, log: u32, name: &[u64; 4]) -
     let [seed, spot, shift, part] = *name;
     let mut random = Random::of(&[seed, spot, shift, part, OF_LATTICES]);
     let lattice = Lattice::moved(log, &mut random);
-    let lamp_log = (log + LAMP_POINTS.trailing_zeros()).min(MOST);
-    let lamp_lattice = Lattice::moved(lamp_log, &mut random);
     let count = 1u64 << log;
-    let points = (1u64 << lamp_log) / count;
     let mut scores = Scores::none(ground.groups.names().len());
     let mut weights = 0.0;
     for k in 0..count {
@@ -158,11 +152,7 @@ fn shift_of(ground: &Ground<'_>, start: &Start<'_>, log: u32, name: &[u64; 4]) -
             }
             Begin::At(vertex, weight) => {
                 weights += weight;
-                for point in 0..points {
-                    let draw = lamp_lattice.first_three(k * points + point);
-                    ground.add_lamp_point(&vertex, weight, points as f64, draw, &mut scores);
-                }
-                ground.walk(&vertex, weight, points as f64, &mut draws, &mut scores);
+                ground.walk(vertex, weight, &mut draws, &mut scores);
             }
         }
     }

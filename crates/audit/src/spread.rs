@@ -6,7 +6,7 @@
 
 use std::sync::Arc;
 
-use radiosity_geom::{DVec3, Rect, Surface};
+use radiosity_geom::{DVec3, PlanarRegion, Rect, Surface};
 
 /// Cells along each parameter of a curved surface. Chosen: area elements then hardly vary within one.
 const CELLS: usize = 16;
@@ -58,9 +58,7 @@ impl Spread {
         let form = match shape.region() {
             None => Form::Cells { rect, sums: areas_of_cells(shape.as_ref(), &rect) },
             Some(region) if rect == Rect::FULL => {
-                let fans = region.convex_pieces().iter();
-                let list: Vec<[DVec3; 3]> =
-                    fans.flat_map(|fan| (2..fan.len()).map(|k| [fan[0], fan[k - 1], fan[k]])).collect();
+                let list: Vec<[DVec3; 3]> = triangles(region).collect();
                 let mut sum = 0.0;
                 let area = |[a, b, c]: &[DVec3; 3]| 0.5 * (*b - *a).cross(*c - *a).length();
                 let sums = list
@@ -147,6 +145,15 @@ impl Spread {
             Form::Cells { .. } => 1.0 / (self.area * point.density),
         }
     }
+}
+
+/// Triangles that make up a region.
+pub(crate) fn triangles(region: &PlanarRegion) -> impl Iterator<Item = [DVec3; 3]> + '_ {
+    let fan = |fan: &Vec<DVec3>| {
+        let fan = fan.clone();
+        (2..fan.len()).map(move |k| [fan[0], fan[k - 1], fan[k]])
+    };
+    region.convex_pieces().iter().flat_map(fan)
 }
 
 /// A cell by its place.

@@ -4,15 +4,15 @@
 //! E(x) = π ⟨ L(y, −ω) ⟩ ,   ω by the cosine from x, y what it meets first ,     π L = M a + ρ E(y) + τ E′(y)
 //! ```
 //!
-//! The light M a of lamps is found by two ways, points on them (n of density p_l per solid angle) and the
-//! cosine rays (density p_c = cos θ/π, of which a part q is traced), added by the balance heuristic:
+//! The light M a of lamps is found in two ways, by one point on them (of the density p_l per solid angle) and by the
+//! cosine ray (of the density p_c = cos θ/π, traced with the probability q), which the balance heuristic adds up:
 //!
 //! ```text
-//! E_lamps(x) = Σ_{lamp points} f / (n p_l + q p_c)  +  Σ_{cosine rays} f / (n p_l + q p_c) ,   f = L cos θ V
+//! E_lamps(x) = f / (p_l + q p_c) at the point on a lamp  +  f / (p_l + q p_c) at the end of the ray ,   f = L cos θ V
 //! ```
 //!
-//! At a point that is read, n and q may be large and 1; at hits n is 1. A walk of the weight w goes on from a
-//! hit with the probability min(1, k w), k ≤ 1: what is left of a walk adds little noise and most of the rays.
+//! A walk of the weight w goes on from a hit with the probability q = min(1, k w); the ray of the point that is read
+//! is traced always.
 //!
 //! Reference: E. Veach, *Robust Monte Carlo methods for light transport simulation*, 1997, chapters 9 and 10.
 
@@ -78,30 +78,19 @@ impl Scores {
 }
 
 impl Ground<'_> {
-    /// Adds the irradiance by lamps and suns at a vertex, from `points` points on lamps of which the draws
-    /// `draw` tell one each, beside a part `part` of cosine rays.
-    fn add_direct(
-        &self,
-        vertex: &Vertex,
-        weight: Spectrum,
-        [points, part]: [f64; 2],
-        draw: [f64; 3],
-        scores: &mut Scores,
-    ) {
+    /// Adds the irradiance at a vertex by the point on a lamp of three draws, beside a part of cosine rays.
+    fn add_lamp(&self, vertex: &Vertex, weight: Spectrum, part: f64, draws: [f64; 3], scores: &mut Scores) {
         let Vertex { point, normal } = *vertex;
-        let lamp = self.lamps.point(self.rays, &self.skins, self.groups, draw, point, normal);
+        let lamp = self.lamps.point(self.rays, &self.skins, self.groups, draws, point, normal);
         let Some(lamp) = lamp.filter(|lamp| !lamp.irradiance.is_dark()) else { return };
         scores.rays += 1;
         if !self.rays.is_free(point, normal, lamp.end) {
             return;
         }
-        let share = match lamp.density {
-            None => 1.0 / points,
-            Some(density) => {
-                let cosine = normal.dot((lamp.end - point).normalize());
-                density / (points * density + part * cosine / PI)
-            }
-        };
+        let share = lamp.density.map_or(1.0, |density| {
+            let cosine = normal.dot((lamp.end - point).normalize());
+            density / (density + part * cosine / PI)
+        });
         scores.groups[lamp.group] += share * (weight * lamp.irradiance);
     }
 
@@ -113,33 +102,9 @@ impl Ground<'_> {
         scores.rays += self.suns.at(self.rays, point, normal, take);
     }
 
-    /// Adds what points on lamps tell of the irradiance at a vertex that is read, one of `points` beside each
-    /// cosine ray.
-    pub(crate) fn add_lamp_point(
-        &self,
-        vertex: &Vertex,
-        weight: f64,
-        points: f64,
-        draw: [f64; 3],
-        scores: &mut Scores,
-    ) {
-        if !self.lamps.is_empty() {
-            self.add_direct(vertex, Spectrum::even(weight), [points, 1.0], draw, scores);
-        }
-    }
-
-    /// Adds a walk of the irradiance at a vertex that is read, beside `points` points on lamps.
-    pub(crate) fn walk(
-        &self,
-        start: &Vertex,
-        weight: f64,
-        points: f64,
-        draws: &mut Draws<'_>,
-        scores: &mut Scores,
-    ) {
-        let weight = Spectrum::even(weight);
-        self.add_suns(start, weight, scores);
-        self.go_on(*start, weight, points, 0, draws, scores);
+    /// Adds a walk of the irradiance at a vertex.
+    pub(crate) fn walk(&self, start: Vertex, weight: f64, draws: &mut Draws<'_>, scores: &mut Scores) {
+        self.go_on(start, Spectrum::even(weight), 0, draws, scores);
     }
 
     /// Adds a walk of π times the radiance that comes against a ray.
@@ -152,13 +117,12 @@ impl Ground<'_> {
         scores.groups[self.groups.of_surface(place.surface)] += sent;
         draws.go_to(START + LEAVES);
         if let Some((vertex, weight)) = self.leave(&place, weight, draws) {
-            self.add_hit(&vertex, weight, 1.0, 1, draws, scores);
-            self.go_on(vertex, weight, 1.0, 1, draws, scores);
+            self.go_on(vertex, weight, 1, draws, scores);
         }
     }
 
-    /// Adds the light of suns and of a point on a lamp at a hit, beside a part of cosine rays.
-    fn add_hit(
+    /// Adds the irradiance at a vertex by suns and by a point on a lamp, beside a part of cosine rays.
+    fn add_direct(
         &self,
         vertex: &Vertex,
         weight: Spectrum,
@@ -170,8 +134,8 @@ impl Ground<'_> {
         self.add_suns(vertex, weight, scores);
         if !self.lamps.is_empty() {
             draws.go_to(START + VERTEX * depth + LAMP);
-            let draw = [draws.next(), draws.next(), draws.next()];
-            self.add_direct(vertex, weight, [1.0, part], draw, scores);
+            let draws = [draws.next(), draws.next(), draws.next()];
+            self.add_lamp(vertex, weight, part, draws, scores);
         }
     }
 
@@ -186,17 +150,17 @@ impl Ground<'_> {
         None
     }
 
-    /// Follows a cosine ray from a vertex, and all that comes after it; `points` points on lamps stand beside it.
+    /// Adds the irradiance at a vertex by a walk from it, whose cosine ray is traced for certain.
     fn go_on(
         &self,
         mut vertex: Vertex,
         mut weight: Spectrum,
-        mut points: f64,
         mut depth: usize,
         draws: &mut Draws<'_>,
         scores: &mut Scores,
     ) {
         let mut part = 1.0;
+        self.add_direct(&vertex, weight, part, depth, draws, scores);
         loop {
             draws.go_to(START + VERTEX * depth);
             let along = cosine_direction(vertex.normal, draws.pair());
@@ -211,7 +175,7 @@ impl Ground<'_> {
                     true => 0.0,
                     false => {
                         let density = self.lamps.density(&place, vertex.point, vertex.normal);
-                        points * density * PI / vertex.normal.dot(along)
+                        density * PI / vertex.normal.dot(along)
                     }
                 };
                 scores.groups[self.groups.of_surface(place.surface)] +=
@@ -221,12 +185,12 @@ impl Ground<'_> {
             let Some((next, left)) = self.leave(&place, traced, draws) else { return };
             depth += 1;
             part = (self.going_on * left.largest()).min(1.0);
-            self.add_hit(&next, left, part, depth, draws, scores);
+            self.add_direct(&next, left, part, depth, draws, scores);
             draws.go_to(START + VERTEX * depth + GOES_ON);
             if draws.next() >= part {
                 return;
             }
-            (vertex, weight, points) = (next, left, 1.0);
+            (vertex, weight) = (next, left);
         }
     }
 

@@ -28,6 +28,14 @@ fn main() -> Result<(), Box<dyn Error>> {
         let (wall, cpu) = (start.elapsed().as_secs_f64(), cpu.elapsed().as_secs_f64());
         let means: f64 = found.iter().flat_map(|own| &own.bands).map(|mean| mean.value.powi(2)).sum();
         let errors: f64 = found.iter().flat_map(|own| &own.bands).map(|mean| mean.error.powi(2)).sum();
+        if env::var("TOP").is_ok() {
+            let mut order: Vec<usize> = (0..found.len()).collect();
+            let e = |k: &usize| found[*k].bands.iter().map(|m| m.error.powi(2)).sum::<f64>();
+            order.sort_by(|a, b| e(b).total_cmp(&e(a)));
+            for k in order.iter().take(6) {
+                println!("  {:?} {:?} {:?}", spots[*k], found[*k].bands[0], e(k).sqrt() / errors.sqrt());
+            }
+        }
         let rays: u64 = found.iter().map(|own| own.rays).sum();
         let all = (spots.len() as u64 * effort.walks()) as f64;
         let relative = (errors / means).sqrt();
