@@ -1,58 +1,94 @@
-//! The referee's noise and speed: seconds in which it sees an error of 1, 0.3 and 0.1 % at 64 readings.
+//! The referee's noise and speed, and the seconds in which it sees an error of 1, 0.3 and 0.1 % in the L2 mean of 64
+//! readings, at three standard errors.
+//!
+//! Its estimates have the relative error s of the L2 mean after n walks of each reading, so that a walk has the noise
+//! s √n. What can be seen is [`Verdict::visible`], which falls as 1/√n.
 
 #![expect(clippy::print_stdout, reason = "a table for people")]
 
-use std::env;
 use std::error::Error;
+use std::path::Path;
 use std::time::Instant;
 
 use cpu_time::ProcessTime;
-use radiosity::audit::{Effort, Referee, Spot};
-use radiosity::{Work, load};
+use radiosity::audit::{Effort, Estimate, Judged, Referee, Spot, Verdict};
+use radiosity::language::builtins;
+use radiosity::{Scene, Work, builtin, load};
+
+/// Readings, and walks of each.
+const READINGS: usize = 64;
+const WALKS: f64 = 8192.0;
+
+/// Errors to be seen.
+const ERRORS: [f64; 3] = [1e-2, 3e-3, 1e-3];
+
+/// Rooms of the folder `shared` beside the repository.
+const ROOMS: [&str; 7] = [
+    "scenes/mgf/soda.mgf",
+    "scenes/mgf/classroom.mgf",
+    "cases/lighting/horizon-window.toml",
+    "cases/lighting/area-luminaires-furniture.toml",
+    "cases/rooms/r2.json",
+    "cases/rooms/r32.json",
+    "cases/rooms/r85.json",
+];
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let walks: f64 = env::args().nth(1).and_then(|own| own.parse().ok()).unwrap_or(1024.0);
-    for name in env::args().skip(2) {
-        let scene = match radiosity::builtin(&name) {
-            Ok(scene) => scene,
-            Err(_) => load(&name)?,
-        };
-        let start = Instant::now();
-        let referee = Referee::of_light(&scene);
-        let built = start.elapsed().as_secs_f64();
-        let points = referee.sample(64, 0);
-        let spots: Vec<Spot> = points.into_iter().map(|point| point.spot).collect();
-        let effort = Effort::of_walks(walks);
-        let (start, cpu) = (Instant::now(), ProcessTime::now());
-        let found = referee.estimates(&spots, &effort, &Work::alone());
-        let (wall, cpu) = (start.elapsed().as_secs_f64(), cpu.elapsed().as_secs_f64());
-        let means: f64 = found.iter().flat_map(|own| &own.bands).map(|mean| mean.value.powi(2)).sum();
-        let errors: f64 = found.iter().flat_map(|own| &own.bands).map(|mean| mean.error.powi(2)).sum();
-        if env::var("TOP").is_ok() {
-            let mut order: Vec<usize> = (0..found.len()).collect();
-            let e = |k: &usize| found[*k].bands.iter().map(|m| m.error.powi(2)).sum::<f64>();
-            order.sort_by(|a, b| e(b).total_cmp(&e(a)));
-            for k in order.iter().take(6) {
-                println!("  {:?} {:?} {:?}", spots[*k], found[*k].bands[0], e(k).sqrt() / errors.sqrt());
+    let mut scenes: Vec<Scene> = Vec::new();
+    for known in builtins() {
+        let scene = builtin(known.name)?;
+        scenes.extend(scene.emits().then_some(scene));
+    }
+    let shared = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../shared");
+    match shared.is_dir() {
+        false => println!("Without the rooms of ../shared, which is not there.\n"),
+        true => {
+            for room in ROOMS {
+                scenes.push(load(&shared.join(room).to_string_lossy())?);
             }
         }
-        let rays: u64 = found.iter().map(|own| own.rays).sum();
-        let all = (spots.len() as u64 * effort.walks()) as f64;
-        let relative = (errors / means).sqrt();
-        let noise = relative * (effort.walks() as f64).sqrt();
-        // Three standard errors of err² are √(4.55 …): see docs/theory/error.md; s needed for an error e.
-        let seconds = |e: f64| cpu / 2.0 * (relative / (e / 0.754)).powi(2);
-        println!(
-            "{name:30} build {built:.3} cpu {cpu:.2} wall {wall:.2} Mwalks/s {:.3} Mrays/s {:.2} rays/walk {:.2} rel {relative:.5} noise {noise:.3} eff {:.4} | {:.2} {:.2} {:.2} mean {:.4}",
-            all / cpu * 1e-6,
-            rays as f64 / cpu * 1e-6,
-            rays as f64 / all,
-            relative * cpu.sqrt(),
-            seconds(0.01),
-            seconds(0.005),
-            seconds(0.002),
-            found.iter().map(|own| own.bands[0].value).sum::<f64>() / found.len() as f64,
-        );
     }
+    println!("{READINGS} readings of {WALKS} walks.\n");
+    println!(
+        "| scene | surfaces | noise of a walk | rays a walk | 10⁶ walks a CPU second | 1 % s | 0.3 % s | 0.1 % s |"
+    );
+    println!("| --- | --- | --- | --- | ---: | ---: | ---: | ---: |");
+    scenes.iter().for_each(|scene| println!("{}", row(scene)));
     Ok(())
+}
+
+/// The row of a scene.
+fn row(scene: &Scene) -> String {
+    let (wall, cpu) = (Instant::now(), ProcessTime::now());
+    let referee = Referee::of_light(scene);
+    let spots: Vec<Spot> = referee.sample(READINGS, 0).into_iter().map(|point| point.spot).collect();
+    let effort = Effort::of_walks(WALKS);
+    let found = referee.estimates(&spots, &effort, &Work::alone());
+    let (wall, cpu) = (wall.elapsed().as_secs_f64(), cpu.elapsed().as_secs_f64());
+    let rays: u64 = found.iter().map(|own| own.rays).sum();
+    let walks = (spots.len() as u64 * effort.walks()) as f64;
+    let noise = relative_error(&found) * (effort.walks() as f64).sqrt();
+    let visible = Verdict::of(&found.into_iter().map(right).collect::<Vec<_>>(), 0).visible();
+    let seconds = ERRORS.map(|error| format!("{:.2}", wall * (visible / error).powi(2)));
+    format!(
+        "| {} | {} | {noise:.2} | {:.1} | {:.2} | {} |",
+        scene.name,
+        scene.surfaces.len(),
+        rays as f64 / walks,
+        walks / cpu * 1e-6,
+        seconds.join(" | ")
+    )
+}
+
+/// Relative standard error of the L2 mean.
+fn relative_error(found: &[Estimate]) -> f64 {
+    let all = || found.iter().flat_map(|own| &own.bands);
+    let squares: f64 = all().map(|mean| mean.value * mean.value).sum();
+    (all().map(|mean| mean.error * mean.error).sum::<f64>() / squares).sqrt()
+}
+
+/// A reading that is printed as it was found.
+fn right(estimate: Estimate) -> Judged {
+    let printed = estimate.bands.iter().map(|mean| mean.value).collect();
+    Judged { printed, printed_groups: Vec::new(), estimate, weight: 1.0, class: String::new() }
 }

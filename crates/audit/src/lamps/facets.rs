@@ -25,6 +25,10 @@ const MOST: usize = 8;
 /// varies over the lamp.
 const FAR: f64 = 0.05;
 
+/// Height over the lamp's plane, as a part of its radius, up to which points are drawn by area: their directions are
+/// then all rounding.
+const FLAT: f64 = 1e-9;
+
 /// Solid angle below which a triangle is not drawn from: roundings of its angles, 10⁻¹⁶, are then a part of it.
 const NARROW: f64 = 1e-9;
 
@@ -52,7 +56,8 @@ impl Facets {
     /// Solid angle of each triangle for a point; None where points are drawn by area.
     fn angles(&self, from: DVec3) -> Option<([f64; MOST], f64)> {
         let step = from - self.center;
-        if self.radius_squared < FAR * step.length_squared() || self.normal.dot(step) <= 0.0 {
+        let is_far = self.radius_squared < FAR * step.length_squared();
+        if is_far || self.normal.dot(step) <= FLAT * self.radius_squared.sqrt() {
             return None;
         }
         let mut angles = [0.0; MOST];
