@@ -23,7 +23,7 @@ const MOST: usize = 8;
 
 /// Squared radius over squared distance below which points are drawn by area: density per solid angle then hardly
 /// varies over the lamp.
-const FAR: f64 = 0.05;
+const FAR: f64 = 0.2;
 
 /// Height over the lamp's plane, as a part of its radius, up to which points are drawn by area: their directions are
 /// then all rounding.
