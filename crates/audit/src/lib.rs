@@ -8,7 +8,8 @@
 //!
 //! In order: draws (`random`, `lattice`), bands that walk together (`spectrum`), what rays meet (`rays`), points
 //! spread over surfaces (`spread`), what surfaces send (`skin`, `groups`, `lamps`, `suns`, `sheets`), walks
-//! (`walk`), what is read (`spot`), how much of it (`effort`), the [`Referee`], and its [`Verdict`].
+//! (`walk`), what is read (`spot`), how much of it (`effort`), the [`Referee`] of light, those
+//! of heat ([`HeatReferee`]) and of view factors ([`ViewFactorReferee`]), and the [`Verdict`] on printed numbers.
 //!
 //! Imports `geom`, `scene` and `work`.
 
@@ -27,10 +28,14 @@ mod spot;
 mod sample;
 mod effort;
 mod referee;
+mod heat;
+mod view_factors;
 mod verdict;
 
 pub use effort::Effort;
+pub use heat::{HeatEstimate, HeatFault, HeatReferee};
 pub use referee::{Estimate, Mean, Referee};
 pub use sample::SamplePoint;
 pub use spot::{Pixel, Spot};
 pub use verdict::{Judged, SignedMean, Verdict, WorstReading};
+pub use view_factors::{ViewFactor, ViewFactorReferee, ViewFactorRow};

@@ -95,11 +95,6 @@ impl Rays {
         &self.shapes[surface]
     }
 
-    /// The other side of a sheet.
-    pub(crate) fn other_side(&self, surface: usize) -> Option<usize> {
-        self.other_sides[surface]
-    }
-
     /// Number of surfaces.
     pub(crate) fn count(&self) -> usize {
         self.shapes.len()

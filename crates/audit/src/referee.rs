@@ -15,7 +15,7 @@ use crate::random::Random;
 use crate::rays::Rays;
 use crate::sample::{SamplePoint, over_surfaces};
 use crate::skin::Skin;
-use crate::spectrum::TOGETHER;
+use crate::spectrum::{Spectrum, TOGETHER};
 use crate::spot::{Begin, Spot, Start};
 use crate::suns::Suns;
 use crate::walk::{Ground, Scores};
@@ -58,12 +58,21 @@ pub struct Estimate {
     pub rays: u64,
 }
 
-/// The sums of one move of the lattice: means by group, and rays.
+/// The sums of one move of the lattice.
 #[derive(Clone, Debug, Serialize, Deserialize)]
-struct Shift {
-    /// Group by group, all bands of each.
+pub(crate) struct Shift {
+    /// Means group by group, all bands of each.
     means: Vec<Vec<f64>>,
-    rays: u64,
+    /// Part of the surface that nothing stands on.
+    pub(crate) bare: f64,
+    pub(crate) rays: u64,
+}
+
+impl Shift {
+    /// The mean of a band, all groups together.
+    pub(crate) fn mean(&self, band: usize) -> f64 {
+        self.means.iter().map(|group| group[band]).sum()
+    }
 }
 
 impl Referee {
@@ -87,7 +96,9 @@ impl Referee {
     pub fn estimates(&self, spots: &[Spot], effort: &Effort, work: &Work<'_>) -> Vec<Estimate> {
         let grounds: Vec<Ground<'_>> =
             (0..self.scene.bands.len()).step_by(TOGETHER).map(|first| self.ground(first)).collect();
-        self.read(&grounds, self.scene.bands.len(), spots, effort, work)
+        let bands = self.scene.bands.len();
+        let shifts = read(&self.rays, &grounds, bands, spots, effort, work);
+        shifts.chunks_exact(Effort::SHIFTS).map(|own| estimate(own, bands)).collect()
     }
 
     fn ground(&self, first: usize) -> Ground<'_> {
@@ -98,40 +109,40 @@ impl Referee {
             rays: &self.rays,
             groups: &self.groups,
             skins,
-            sheets: Vec::new(),
-            surroundings: [0.0; 2],
+            sheets: &[],
+            surroundings: [Spectrum::default(); 2],
             going_on: GOING_ON,
         }
     }
+}
 
-    fn read(
-        &self,
-        grounds: &[Ground<'_>],
-        bands: usize,
-        spots: &[Spot],
-        effort: &Effort,
-        work: &Work<'_>,
-    ) -> Vec<Estimate> {
-        let starts: Vec<Start<'_>> = spots.iter().map(|spot| Start::of(spot, &self.rays)).collect();
-        let (done, count) = (AtomicUsize::new(0), spots.len() * Effort::SHIFTS);
-        let shift = |k: usize| {
-            let [spot, shift] = [k / Effort::SHIFTS, k % Effort::SHIFTS];
-            let parts = grounds.iter().enumerate().map(|(part, ground)| {
-                let name = [effort.seed, spot as u64, shift as u64, part as u64];
-                shift_of(ground, &starts[spot], effort.log, &name)
-            });
-            let sums: Vec<Scores> = parts.collect();
-            work.report_done(Stage::Referee, done.fetch_add(1, Ordering::Relaxed) + 1, count);
-            let rays = sums.iter().map(|own| own.rays).sum();
-            let group = |group: usize| {
-                let values = sums.iter().flat_map(|own| own.groups[group].0);
-                values.take(bands).collect()
-            };
-            Shift { means: (0..self.groups.names().len()).map(group).collect(), rays }
+/// The moves of the lattice at each spot, those of one spot after the other.
+pub(crate) fn read(
+    rays: &Rays,
+    grounds: &[Ground<'_>],
+    bands: usize,
+    spots: &[Spot],
+    effort: &Effort,
+    work: &Work<'_>,
+) -> Vec<Shift> {
+    let starts: Vec<Start<'_>> = spots.iter().map(|spot| Start::of(spot, rays)).collect();
+    let (done, count) = (AtomicUsize::new(0), spots.len() * Effort::SHIFTS);
+    let shift = |k: usize| {
+        let [spot, shift] = [k / Effort::SHIFTS, k % Effort::SHIFTS];
+        let parts = grounds.iter().enumerate().map(|(part, ground)| {
+            let name = [effort.seed, spot as u64, shift as u64, part as u64];
+            shift_of(ground, &starts[spot], effort.log, &name)
+        });
+        let sums: Vec<Scores> = parts.collect();
+        work.report_done(Stage::Referee, done.fetch_add(1, Ordering::Relaxed) + 1, count);
+        let rays = sums.iter().map(|own| own.rays).sum();
+        let group = |group: usize| {
+            let values = sums.iter().flat_map(|own| own.groups[group].0);
+            values.take(bands).collect()
         };
-        let shifts = work.ranks.map_even(PartName::Referee, count, 1, shift);
-        shifts.chunks_exact(Effort::SHIFTS).map(|own| estimate(own, bands)).collect()
-    }
+        Shift { means: (0..sums[0].groups.len()).map(group).collect(), bare: sums[0].bare, rays }
+    };
+    work.ranks.map_even(PartName::Referee, count, 1, shift)
 }
 
 /// The means of one move of the lattice at a start.
@@ -141,11 +152,11 @@ fn shift_of(ground: &Ground<'_>, start: &Start<'_>, log: u32, name: &[u64; 4]) -
     let lattice = Lattice::moved(log, &mut random);
     let count = 1u64 << log;
     let mut scores = Scores::none(ground.groups.names().len());
-    let mut weights = 0.0;
+    let (mut weights, mut covered) = (0.0, 0.0);
     for k in 0..count {
         let mut draws = Draws::new(&lattice, k, Random::of(&[seed, spot, shift, part, OF_WALKS, k]));
         match start.begin(draws.pair()) {
-            Begin::Covered => continue,
+            Begin::Covered(weight) => covered += weight,
             Begin::Against(ray) => {
                 weights += 1.0;
                 ground.look(&ray, &mut draws, &mut scores);
@@ -159,13 +170,16 @@ fn shift_of(ground: &Ground<'_>, start: &Start<'_>, log: u32, name: &[u64; 4]) -
     if weights > 0.0 {
         scores.groups.iter_mut().for_each(|sum| *sum = (1.0 / weights) * *sum);
     }
+    if covered > 0.0 {
+        scores.bare = weights / (weights + covered);
+    }
     scores
 }
 
 fn estimate(shifts: &[Shift], bands: usize) -> Estimate {
     let groups = shifts[0].means.len();
     let of = |value: &dyn Fn(&Shift) -> f64| Mean::of(&shifts.iter().map(value).collect::<Vec<_>>());
-    let total = |band: usize| of(&|own| own.means.iter().map(|group| group[band]).sum());
+    let total = |band: usize| of(&|own| own.mean(band));
     let group = |group: usize| (0..bands).map(|band| of(&|own| own.means[group][band])).collect();
     Estimate {
         bands: (0..bands).map(total).collect(),

@@ -59,15 +59,15 @@ impl Skin {
         }
     }
 
-    /// A grey side of one band.
-    pub(crate) fn grey(exitance: f64, reflectance: f64, absorbed: Absorbed) -> Self {
+    /// A side that sends out two kinds of light and is grey to them.
+    pub(crate) fn grey(exitance: [f64; 2], reflectance: f64, absorbed: Absorbed) -> Self {
         Self {
-            bands: [0, 1],
-            exitance: Spectrum::of(0, &[exitance]),
+            bands: [0, 2],
+            exitance: Spectrum::of(0, &exitance),
             exitance_pattern: None,
             factor: 1.0,
             radiance: None,
-            reflectance: Spectrum::of(0, &[reflectance]),
+            reflectance: Spectrum::of(0, &[reflectance; 2]),
             reflectance_pattern: None,
             transmittance: Spectrum::default(),
             absorbed,

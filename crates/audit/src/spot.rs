@@ -77,8 +77,8 @@ pub(crate) enum Begin {
     At(Vertex, f64),
     /// Against a ray.
     Against(Ray),
-    /// On a part of a surface that something stands on.
-    Covered,
+    /// On a part of a surface that something stands on; the weight that it would have.
+    Covered(f64),
 }
 
 impl<'a> Start<'a> {
@@ -102,16 +102,17 @@ impl<'a> Start<'a> {
             Self::Point(vertex) => Begin::At(*vertex, 1.0),
             Self::Pixel(pixel) => Begin::Against(pixel.ray(draws)),
             Self::Spread { surface, spread, rays } => {
-                let Some(on) = spread.point(draws) else { return Begin::Covered };
+                let Some(on) = spread.point(draws) else { return Begin::Covered(0.0) };
                 let place = Place {
                     surface: *surface,
                     parameters: on.parameters.unwrap_or_default(),
                     point: on.point,
                     normal: on.normal,
                 };
+                let weight = spread.weight(&on);
                 match rays.is_bare(&place) {
-                    true => Begin::At(Vertex { point: on.point, normal: on.normal }, spread.weight(&on)),
-                    false => Begin::Covered,
+                    true => Begin::At(Vertex { point: on.point, normal: on.normal }, weight),
+                    false => Begin::Covered(weight),
                 }
             }
         }

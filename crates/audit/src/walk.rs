@@ -29,6 +29,10 @@ use crate::skin::{Absorbed, Skin};
 use crate::spectrum::Spectrum;
 use crate::suns::Suns;
 
+/// Most vertices of a walk: one that is longer is caught where nothing absorbs, and tells no number. Chosen: a
+/// walk out of a hole of a millionth of a white cavity hardly reaches it.
+const LONGEST: usize = 1 << 24;
+
 /// Draws that tell where a walk starts.
 const START: usize = 2;
 
@@ -49,9 +53,9 @@ pub(crate) struct Ground<'a> {
     pub(crate) skins: Vec<Skin>,
     pub(crate) lamps: Lamps,
     pub(crate) suns: Suns,
-    pub(crate) sheets: Vec<Sheet>,
+    pub(crate) sheets: &'a [Sheet],
     /// π times the radiance of all that is no front: of black backs and of what surrounds the scene (W m⁻²).
-    pub(crate) surroundings: [f64; 2],
+    pub(crate) surroundings: [Spectrum; 2],
     /// Probability k with which a walk of the weight 1 goes on from a hit.
     pub(crate) going_on: f64,
 }
@@ -67,13 +71,15 @@ pub(crate) struct Vertex {
 #[derive(Clone, Debug)]
 pub(crate) struct Scores {
     pub(crate) groups: Vec<Spectrum>,
+    /// Part of the places where walks may start that nothing stands on.
+    pub(crate) bare: f64,
     pub(crate) rays: u64,
 }
 
 impl Scores {
     /// No walks, of so many groups.
     pub(crate) fn none(groups: usize) -> Self {
-        Self { groups: vec![Spectrum::default(); groups], rays: 0 }
+        Self { groups: vec![Spectrum::default(); groups], bare: 1.0, rays: 0 }
     }
 }
 
@@ -162,6 +168,10 @@ impl Ground<'_> {
         let mut part = 1.0;
         self.add_direct(&vertex, weight, part, depth, draws, scores);
         loop {
+            if depth > LONGEST {
+                scores.groups[0] += Spectrum::even(f64::NAN);
+                return;
+            }
             draws.go_to(START + VERTEX * depth);
             let along = cosine_direction(vertex.normal, draws.pair());
             scores.rays += 1;
@@ -216,7 +226,7 @@ impl Ground<'_> {
         if choice < ways[0] + ways[1] {
             return Some((Vertex { point: place.point, normal: -place.normal }, (all / ways[1]) * through));
         }
-        let (from, share) = self.sheets[sheet].leave([draws.next(), draws.next(), draws.next()])?;
+        let (from, share) = self.sheets[sheet].leave(self.rays, draws)?;
         let Absorbed::Sheet { emissivity, .. } = skin.absorbed else { return None };
         let vertex = Vertex { point: from.point, normal: from.normal };
         Some((vertex, (all / ways[2] * emissivity * share) * weight))
@@ -224,7 +234,7 @@ impl Ground<'_> {
 }
 
 /// The direction of two draws by the cosine about a unit vector.
-fn cosine_direction(normal: DVec3, [s, t]: [f64; 2]) -> DVec3 {
+pub(crate) fn cosine_direction(normal: DVec3, [s, t]: [f64; 2]) -> DVec3 {
     let (x, y) = normal.any_orthonormal_pair();
     let (sine, cosine) = (TAU * t).sin_cos();
     let radius = s.sqrt();

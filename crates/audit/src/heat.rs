@@ -1,0 +1,174 @@
+//! Heat by walks: what surfaces of known temperature or flux exchange, with errors.
+//!
+//! With the level σ T⁴ and the emissivity ε the walks are those of light, of which
+//!
+//! ```text
+//! T known:   M = ε σ T⁴ ,   ρ = 1 − ε ;        flux q known:   M = q ,   ρ = 1 ;
+//! sheet of two sides, its flux known:   M = ε (level of the flux alone) ,   ρ = 1 − ε ,   ε leaves anywhere .
+//! ```
+//!
+//! What leaves the scene or meets the black back of a surface is lost to 0 K. Beside them the same walks carry
+//! light by which all of known temperature, the backs and the surroundings have the level 1, so that its
+//! irradiance U has the mean 1. With a level L₀ chosen beforehand
+//!
+//! ```text
+//! H̄ = L₀ + ⟨ H − L₀ U ⟩
+//! ```
+//!
+//! is unbiased, and without noise where all have the level L₀. It is the level of the surface that is judged, or
+//! else the mean of the known ones by absorbing area. Then
+//!
+//! ```text
+//! T known:   q = ε (σ T⁴ − H̄) ;     q known:   σ T⁴ = H̄ + q/ε ;     flow  Q = q A ,
+//! ```
+//!
+//! with A of what nothing stands on. T is that of the mean of σ T⁴, its error that of the level over 4 σ T³.
+//!
+//! Reference: Modest, Radiative Heat Transfer, chapters 5 and 8 (Monte Carlo).
+
+mod fault;
+mod roles;
+mod parts;
+mod figures;
+
+use std::collections::BTreeMap;
+
+use radiosity_scene::Scene;
+use radiosity_work::Work;
+
+use crate::effort::Effort;
+use crate::groups::Groups;
+use crate::lamps::Lamps;
+use crate::rays::Rays;
+use crate::referee::{Shift, read};
+use crate::sheets::Sheet;
+use crate::skin::{Absorbed, Skin};
+use crate::spectrum::Spectrum;
+use crate::spot::Spot;
+use crate::suns::Suns;
+use crate::walk::Ground;
+
+pub use fault::HeatFault;
+pub use figures::HeatEstimate;
+use figures::{Irradiance, estimate};
+use parts::floating;
+use roles::{Role, Roles};
+
+/// Kinds of light that walks of heat carry: of the levels, and of the level 1.
+const KINDS: usize = 2;
+
+/// A scene, whose heat is read by walks.
+#[derive(Debug)]
+pub struct HeatReferee {
+    rays: Rays,
+    groups: Groups,
+    roles: Roles,
+    sheets: Vec<Sheet>,
+    /// Mean of the known levels by absorbing area (W m⁻²); 0 where none is known.
+    mean_level: f64,
+}
+
+impl HeatReferee {
+    /// The referee of the heat of a scene.
+    ///
+    /// # Errors
+    /// Surfaces that transmit, without a temperature or a flux, without an emissivity that is needed, or whose
+    /// heat can end nowhere.
+    pub fn of(scene: &Scene) -> Result<Self, HeatFault> {
+        let roles = Roles::of(scene)?;
+        let rays = Rays::of(scene);
+        let floating = floating(&rays, &roles);
+        if !floating.is_empty() {
+            let name = |surface: usize| scene.surfaces[surface].name.clone();
+            return Err(HeatFault::NoLevel { surfaces: floating.into_iter().map(name).collect() });
+        }
+        let sheet = |own: &roles::Pair| Sheet::new(&rays, own.sides, own.emissivities, own.flux);
+        let sheets = roles.pairs.iter().map(sheet).collect();
+        Ok(Self { groups: Groups::of(scene), mean_level: mean_level(&rays, &roles), sheets, rays, roles })
+    }
+
+    /// The heat of these surfaces, by their indices in the scene, in order: the same on any number of threads and
+    /// ranks.
+    pub fn estimates(&self, surfaces: &[usize], effort: &Effort, work: &Work<'_>) -> Vec<HeatEstimate> {
+        let mut asked: Vec<usize> = surfaces.iter().flat_map(|own| self.asked_for(*own)).collect();
+        asked.sort_unstable();
+        asked.dedup();
+        let spots: Vec<Spot> = asked.iter().map(|surface| Spot::Surface(*surface)).collect();
+        let shifts = read(&self.rays, &[self.ground()], KINDS, &spots, effort, work);
+        let read: BTreeMap<usize, &[Shift]> =
+            asked.into_iter().zip(shifts.chunks_exact(Effort::SHIFTS)).collect();
+        surfaces.iter().map(|surface| self.estimate(*surface, &read)).collect()
+    }
+
+    /// The surfaces whose irradiance tells the heat of this one.
+    fn asked_for(&self, surface: usize) -> Vec<usize> {
+        match self.roles.list[surface] {
+            Role::Sheet { sheet, .. } => self.sheets[sheet].sides.to_vec(),
+            Role::Temperature { .. } | Role::Flux { .. } => vec![surface],
+        }
+    }
+
+    fn ground(&self) -> Ground<'_> {
+        let skin = |role: &Role| match *role {
+            Role::Temperature { emissivity, level } => {
+                Skin::grey([emissivity * level, emissivity], 1.0 - emissivity, Absorbed::Kept)
+            }
+            Role::Flux { flux, .. } => Skin::grey([flux, 0.0], 1.0, Absorbed::Kept),
+            Role::Sheet { emissivity, sheet } => {
+                let exitance = emissivity * self.sheets[sheet].level;
+                Skin::grey([exitance, 0.0], 1.0 - emissivity, Absorbed::Sheet { sheet, emissivity })
+            }
+        };
+        let lost = Spectrum::of(0, &[0.0, 1.0]);
+        Ground {
+            rays: &self.rays,
+            groups: &self.groups,
+            skins: self.roles.list.iter().map(skin).collect(),
+            lamps: Lamps::none(self.rays.count()),
+            suns: Suns::none(),
+            sheets: &self.sheets,
+            surroundings: [lost; 2],
+            going_on: 1.0,
+        }
+    }
+
+    fn estimate(&self, surface: usize, read: &BTreeMap<usize, &[Shift]>) -> HeatEstimate {
+        let role = &self.roles.list[surface];
+        let reference = match *role {
+            Role::Temperature { level, .. } => level,
+            Role::Flux { .. } | Role::Sheet { .. } => self.mean_level,
+        };
+        let above = |surface: usize, k: usize| {
+            let own = &read[&surface][k];
+            own.mean(0) - reference * own.mean(1)
+        };
+        let irradiance = |k: usize| Irradiance {
+            reference,
+            above: above(surface, k),
+            sheet: match *role {
+                Role::Sheet { sheet, .. } => {
+                    let Sheet { level, first, sides: [front, back], .. } = self.sheets[sheet];
+                    level + first * above(front, k) + (1.0 - first) * above(back, k)
+                }
+                Role::Temperature { .. } | Role::Flux { .. } => 0.0,
+            },
+            area: self.rays.area(surface) * read[&surface][k].bare,
+        };
+        let all: Vec<Irradiance> = (0..Effort::SHIFTS).map(irradiance).collect();
+        let rays = self.asked_for(surface).iter().flat_map(|own| read[own]).map(|own| own.rays).sum();
+        estimate(surface, role, &all, rays)
+    }
+}
+
+/// The mean of the known levels by absorbing area.
+fn mean_level(rays: &Rays, roles: &Roles) -> f64 {
+    let (mut sum, mut weights) = (0.0, 0.0);
+    for (surface, role) in roles.list.iter().enumerate() {
+        if let Role::Temperature { emissivity, level } = role {
+            let weight = emissivity * rays.area(surface);
+            sum += weight * level;
+            weights += weight;
+        }
+    }
+    if weights > 0.0 { sum / weights } else { 0.0 }
+}
