@@ -12,3 +12,4 @@ mod stacks;
 mod means;
 mod whole;
 mod alarms;
+mod faults;

@@ -145,10 +145,11 @@ fn fan(corners: Vec<DVec3>) -> impl Iterator<Item = [DVec3; 3]> {
 /// as lines of constant parameters are straight (I. Sutherland, G. Hodgman, *Reentrant polygon clipping*, 1974).
 fn within(piece: Vec<DVec3>, shape: &dyn Surface, rect: &Rect) -> Vec<DVec3> {
     let ends = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)].map(|(u, v)| rect.at(u, v));
-    let jets = ends.map(|[u, v]| shape.jet(u, v));
-    let corners = jets.map(|jet| jet.position);
+    let corners = ends.map(|[u, v]| shape.jet(u, v).position);
+    // Along it the corners run counter-clockwise, whichever side is the front.
+    let above = (corners[2] - corners[0]).cross(corners[3] - corners[1]);
     (0..4).fold(piece, |own, k| {
-        let inward = jets[k].normal.cross(corners[(k + 1) % 4] - corners[k]);
+        let inward = above.cross(corners[(k + 1) % 4] - corners[k]);
         let depth = |point: DVec3| inward.dot(point - corners[k]);
         let mut left = Vec::with_capacity(own.len() + 1);
         for (i, to) in own.iter().enumerate() {

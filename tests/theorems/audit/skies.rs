@@ -3,6 +3,7 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
+use radiosity::audit::{Judged, Verdict};
 use radiosity_geom::DVec3;
 use radiosity_test_support::random::Random;
 use radiosity_test_support::scenes::typed;
@@ -161,6 +162,19 @@ impl Window {
         self.a.cross(self.b).length() * sum + sun
     }
 
+    /// The irradiance by the middles of 6 × 6 cells, each all sky or all ground.
+    fn uncut(&self, sky: &Outside, point: DVec3, normal: DVec3) -> f64 {
+        let part = |k: usize| (k as f64 + 0.5) / 6.0;
+        let front = self.front();
+        let light = |k: usize| {
+            let step = self.corner + part(k % 6) * self.a + part(k / 6) * self.b - point;
+            let squared = step.length_squared();
+            let from = step / squared.sqrt();
+            sky.radiance(from) * normal.dot(from).max(0.0) * -front.dot(from) / squared
+        };
+        self.a.cross(self.b).length() / 36.0 * (0..36).map(light).sum::<f64>()
+    }
+
     fn sun(&self, sun: DVec3, beam: f64, point: DVec3, normal: DVec3) -> f64 {
         let front = self.front();
         let leaving = -front.dot(sun);
@@ -215,4 +229,37 @@ fn windows_give_what_their_skies_send() {
         }
     }
     assert_fair(&quotients(&trials, WALKS, 900));
+}
+
+/// A rule over cells of the opening that the horizon crosses, at sensors at the height of eyes: errors of both signs,
+/// up to a tenth.
+#[test]
+fn a_horizon_that_is_not_cut_is_found() {
+    let sky = Outside::of(Model::Overcast, DVec3::Z, 0.0);
+    let window = Window { corner: DVec3::new(-1.0, 0.0, 0.8), a: 1.5 * DVec3::Z, b: 2.0 * DVec3::X, has_glass: false };
+    let trial = Trial::of("horizon", window.scene(&sky));
+    let normal = window.front();
+    let points: Vec<DVec3> = (0..64)
+        .map(|k| DVec3::new(f64::from(k % 8) * 0.3 - 1.0, 0.0, 1.2 + f64::from(k / 8) * 0.1) + 2.0 * normal)
+        .collect();
+    let trial = points.iter().fold(trial, |own, point| own.point(*point, -normal, window.irradiance(&sky, *point, -normal)));
+    let verdict = |printed: &dyn Fn(usize) -> f64| {
+        let judge = |(k, estimate)| Judged {
+            printed: vec![printed(k)],
+            printed_groups: Vec::new(),
+            estimate,
+            weight: 1.0,
+            class: "plane".to_owned(),
+        };
+        let judged: Vec<Judged> = trial.estimates(1024.0, 5).into_iter().enumerate().map(judge).collect();
+        Verdict::of(&judged, 3)
+    };
+    let right = verdict(&|k| trial.exact[k][0]);
+    assert!(!right.finds(0.0), "{right:?}");
+    let uncut = |k: usize| window.uncut(&sky, points[k], -normal);
+    let off = |k: usize| (uncut(k) - trial.exact[k][0]).powi(2);
+    let true_error = ((0..64).map(off).sum::<f64>() / trial.exact.iter().map(|own| own[0] * own[0]).sum::<f64>()).sqrt();
+    let wrong = verdict(&uncut);
+    assert!(wrong.finds(0.0) && wrong.exceeds(0.0), "{wrong:?}");
+    assert!((wrong.error() - true_error).abs() < 0.1 * true_error, "{} {true_error}", wrong.error());
 }

@@ -2,8 +2,6 @@
 
 use std::fmt::Write;
 
-use radiosity_geom::DVec3;
-
 /// Which planes a file states.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Symmetry {

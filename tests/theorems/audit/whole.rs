@@ -19,8 +19,8 @@ fn room(bands: &[usize]) -> Scene {
     let lamp = list([900.0, 300.0, 100.0, 0.0, 50.0, 400.0]);
     let glow = list([10.0, 30.0, 0.0, 60.0, 20.0, 15.0]);
     let bulb = list([50.0, 20.0, 70.0, 10.0, 30.0, 40.0]);
-    let sky = list([500.0, 600.0, 900.0, 300.0, 200.0, 100.0]);
-    let sun = list([2000.0, 1000.0, 500.0, 900.0, 800.0, 100.0]);
+    let sky = list([5.0, 6.0, 9.0, 3.0, 2.0, 1.0]);
+    let sun = list([20.0, 10.0, 5.0, 9.0, 8.0, 1.0]);
     typed(&format!(
         r#"
 bands = {names:?}
@@ -76,17 +76,20 @@ group = "bulb"
     ))
 }
 
+/// Lamps of weak groups are seldom chosen: with fewer walks their means are not normal.
+const WALKS: f64 = 4096.0;
+
 const GROUPS: [&str; 4] = ["lamp", "glow", "bulb", "window"];
 
 const ALL: [usize; 6] = [0, 1, 2, 3, 4, 5];
 
 fn spots(scene: &Scene) -> Vec<Spot> {
-    let points = Referee::of_light(scene).sample(40, 3).into_iter().map(|own| own.spot);
+    let points = Referee::of_light(scene).sample(16, 3).into_iter().map(|own| own.spot);
     points.chain((0..scene.surfaces.len()).map(Spot::Surface)).collect()
 }
 
 fn estimates(scene: &Scene, spots: &[Spot], seed: u64) -> Vec<Estimate> {
-    let effort = Effort::of_walks(512.0).seeded(seed);
+    let effort = Effort::of_walks(WALKS).seeded(seed);
     Referee::of_light(scene).estimates(spots, &effort, &Work::alone())
 }
 
@@ -139,11 +142,7 @@ fn groups_sum_to_the_whole_and_are_what_they_are_alone() {
         let dimmed = whole.dimmed(&others).unwrap_or_else(|error| panic!("{error}"));
         let alone = estimates(&dimmed, &spots, 10 + group as u64);
         let group = referee.groups().iter().position(|own| own.as_deref() == Some(name)).expect("a group");
-        for ((own, all), spot) in alone.iter().zip(&of_all).zip(&spots) {
-            for (a, b) in own.bands.iter().zip(&all.groups[group]) {
-                let z = (a.value - b.value) / a.error.hypot(b.error);
-                if z.abs() > 6.0 { println!("{name} {spot:?} {a:?} {b:?} {z}"); }
-            }
+        for (own, all) in alone.iter().zip(&of_all) {
             pairs.extend(own.bands.iter().copied().zip(all.groups[group].iter().copied()));
         }
     }
