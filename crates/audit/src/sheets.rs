@@ -72,11 +72,12 @@ fn place(surface: usize, on: &SpreadPoint) -> Place {
 
 /// The part of a surface that nothing stands on; 1 where no point is covered.
 fn bare_part(rays: &Rays, surface: usize, spread: &Spread) -> f64 {
-    let lattice = Lattice::moved(BARE, &mut Random::of(&[surface as u64, OF_SHEETS]));
+    let mut random = Random::of(&[surface as u64, OF_SHEETS]);
+    let lattice = Lattice::moved(BARE, &mut random);
     let (mut bare, mut all) = (0.0, 0.0);
     for k in 0..1 << BARE {
-        let [s, t, _] = lattice.first_three(k);
-        let Some(point) = spread.point([s, t]) else { continue };
+        let mut draws = Draws::new(&lattice, k, random.clone());
+        let Some(point) = spread.point(draws.pair()) else { continue };
         let weight = spread.weight(&point);
         all += weight;
         if rays.is_bare(&place(surface, &point)) {

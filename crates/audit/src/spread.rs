@@ -1,6 +1,7 @@
 //! Points on surfaces, spread by area.
 //!
-//! Flat surfaces are cut into triangles, on which points are even. The parameters of curved ones are cut into
+//! Flat surfaces, and what a rectangle of their parameters cuts out of them, are cut into triangles, on which
+//! points are even. The parameters of curved ones are cut into
 //! 16 × 16 cells, taken by their areas; within a cell points are even in the parameters, so that their density
 //! p per area is known, nearly 1/A, and a point counts by 1/(A p).
 
@@ -10,9 +11,6 @@ use radiosity_geom::{DVec3, PlanarRegion, Rect, Surface};
 
 /// Cells along each parameter of a curved surface. Chosen: area elements then hardly vary within one.
 const CELLS: usize = 16;
-
-/// Tries to meet a cell of a flat surface that reaches beyond its outline.
-const TRIES: usize = 64;
 
 /// Points on a surface, or on a rectangle of its parameters.
 #[derive(Clone, Debug)]
@@ -27,8 +25,6 @@ pub(crate) struct Spread {
 enum Form {
     /// Triangles, each with the sum of areas up to its end.
     Triangles { list: Vec<[DVec3; 3]>, sums: Vec<f64>, normal: DVec3 },
-    /// A rectangle of the parameters of a flat surface.
-    Cell { rect: Rect, normal: DVec3 },
     /// Sums of areas of the cells, row by row.
     Cells { rect: Rect, sums: Vec<f64> },
 }
@@ -57,8 +53,14 @@ impl Spread {
     pub(crate) fn over(shape: &Arc<dyn Surface>, rect: Rect) -> Self {
         let form = match shape.region() {
             None => Form::Cells { rect, sums: areas_of_cells(shape.as_ref(), &rect) },
-            Some(region) if rect == Rect::FULL => {
-                let list: Vec<[DVec3; 3]> = triangles(region).collect();
+            Some(region) => {
+                let list: Vec<[DVec3; 3]> = match rect == Rect::FULL {
+                    true => triangles(region).collect(),
+                    false => {
+                        let pieces = region.convex_pieces().iter();
+                        pieces.flat_map(|piece| fan(within(piece.clone(), shape.as_ref(), &rect))).collect()
+                    }
+                };
                 let mut sum = 0.0;
                 let area = |[a, b, c]: &[DVec3; 3]| 0.5 * (*b - *a).cross(*c - *a).length();
                 let sums = list
@@ -70,7 +72,6 @@ impl Spread {
                     .collect();
                 Form::Triangles { list, sums, normal: region.normal() }
             }
-            Some(region) => Form::Cell { rect, normal: region.normal() },
         };
         let area = match &form {
             Form::Cells { sums, .. } if rect != Rect::FULL => sums[sums.len() - 1],
@@ -79,18 +80,17 @@ impl Spread {
         Self { shape: Arc::clone(shape), form, area }
     }
 
-    /// The point of two draws; None where a cell of a flat surface lies outside it.
+    /// The point of two draws; None where nothing of a flat surface lies in the rectangle.
     pub(crate) fn point(&self, [s, t]: [f64; 2]) -> Option<SpreadPoint> {
         match &self.form {
             Form::Triangles { list, sums, normal } => {
+                let all = *sums.last().filter(|all| **all > 0.0)?;
                 let (place, s) = chosen(sums, s);
                 let [a, b, c] = list[place];
                 let root = s.sqrt();
                 let point = (1.0 - root) * a + root * (1.0 - t) * b + root * t * c;
-                let density = sums[sums.len() - 1].recip();
-                Some(SpreadPoint { point, normal: *normal, parameters: None, density })
+                Some(SpreadPoint { point, normal: *normal, parameters: None, density: all.recip() })
             }
-            Form::Cell { rect, normal } => self.within_cell(rect, *normal, [s, t]),
             Form::Cells { rect, sums } => {
                 let (place, s) = chosen(sums, s);
                 let cell = cell(rect, place);
@@ -107,26 +107,10 @@ impl Spread {
         }
     }
 
-    /// A point of a cell of a flat surface; where it reaches beyond the outline, other points of the cell are
-    /// tried by a sequence that the draws start.
-    fn within_cell(&self, rect: &Rect, normal: DVec3, draws: [f64; 2]) -> Option<SpreadPoint> {
-        // Steps of the additive recurrence that fills a square most evenly, by the plastic number.
-        const STEPS: [f64; 2] = [0.754_877_666_246_692_8, 0.569_840_290_998_053_3];
-        let region = self.shape.region()?;
-        let at = |k: usize| {
-            let [s, t] = [0, 1].map(|axis| (draws[axis] + k as f64 * STEPS[axis]).fract());
-            let parameters = rect.at(2.0 * s - 1.0, 2.0 * t - 1.0);
-            (parameters, self.shape.jet(parameters[0], parameters[1]).position)
-        };
-        let (parameters, point) = (0..TRIES).map(at).find(|(_, point)| region.contains(*point))?;
-        Some(SpreadPoint { point, normal, parameters: Some(parameters), density: 1.0 })
-    }
-
     /// The density at which points of these parameters are drawn; of flat surfaces that of all points.
     pub(crate) fn density(&self, parameters: [f64; 2]) -> f64 {
         match &self.form {
             Form::Triangles { sums, .. } => sums[sums.len() - 1].recip(),
-            Form::Cell { .. } => 1.0,
             Form::Cells { rect, sums } => {
                 let [u, v] = parameters;
                 let along = |value: f64, [low, high]: [f64; 2]| {
@@ -141,7 +125,7 @@ impl Spread {
     /// Weight of a point in means over the surface.
     pub(crate) fn weight(&self, point: &SpreadPoint) -> f64 {
         match &self.form {
-            Form::Triangles { .. } | Form::Cell { .. } => 1.0,
+            Form::Triangles { .. } => 1.0,
             Form::Cells { .. } => 1.0 / (self.area * point.density),
         }
     }
@@ -149,11 +133,37 @@ impl Spread {
 
 /// Triangles that make up a region.
 pub(crate) fn triangles(region: &PlanarRegion) -> impl Iterator<Item = [DVec3; 3]> + '_ {
-    let fan = |fan: &Vec<DVec3>| {
-        let fan = fan.clone();
-        (2..fan.len()).map(move |k| [fan[0], fan[k - 1], fan[k]])
-    };
-    region.convex_pieces().iter().flat_map(fan)
+    region.convex_pieces().iter().flat_map(|piece| fan(piece.clone()))
+}
+
+/// Triangles that make up a convex polygon.
+fn fan(corners: Vec<DVec3>) -> impl Iterator<Item = [DVec3; 3]> {
+    (2..corners.len()).map(move |k| [corners[0], corners[k - 1], corners[k]])
+}
+
+/// The part of a convex piece of a flat surface that a rectangle of its parameters holds: a convex quadrilateral,
+/// as lines of constant parameters are straight (I. Sutherland, G. Hodgman, *Reentrant polygon clipping*, 1974).
+fn within(piece: Vec<DVec3>, shape: &dyn Surface, rect: &Rect) -> Vec<DVec3> {
+    let ends = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)].map(|(u, v)| rect.at(u, v));
+    let corners = ends.map(|[u, v]| shape.jet(u, v).position);
+    // Along it the corners run counter-clockwise, whichever side is the front.
+    let above = (corners[2] - corners[0]).cross(corners[3] - corners[1]);
+    (0..4).fold(piece, |own, k| {
+        let inward = above.cross(corners[(k + 1) % 4] - corners[k]);
+        let depth = |point: DVec3| inward.dot(point - corners[k]);
+        let mut left = Vec::with_capacity(own.len() + 1);
+        for (i, to) in own.iter().enumerate() {
+            let from = own[(i + own.len() - 1) % own.len()];
+            let [before, after] = [from, *to].map(depth);
+            if (before < 0.0) != (after < 0.0) {
+                left.push(from.lerp(*to, before / (before - after)));
+            }
+            if after >= 0.0 {
+                left.push(*to);
+            }
+        }
+        left
+    })
 }
 
 /// A cell by its place.

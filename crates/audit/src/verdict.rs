@@ -18,8 +18,14 @@
 //! error of √(3 SE₀) can be seen. A mean of signed differences over the readings of a surface, a plane or a light
 //! group has by chance √(Σ s²)/m; it sees a fault of one sign two to three times smaller.
 //!
-//! What exceeds chance by three standard errors, or by as many more as there are means to choose from, is a
-//! finding.
+//! Sums of unequal squares are about those of h equal ones, and their s² have 7 h degrees of freedom,
+//!
+//! ```text
+//! h = (Σ s_i²)² / Σ s_i⁴ ,     Σ d_i² / Σ s_i² ~ F(h, 7 h) ,     Σ d_i / √(Σ s_i²) ~ Student's t of 7 h
+//! ```
+//!
+//! (F. Satterthwaite, Biometrics Bull. 2, 1946). What is as seldom by chance as three standard errors of a normal
+//! number, or as many more as there are things to choose from, is a finding.
 
 use std::collections::BTreeMap;
 
@@ -33,9 +39,6 @@ const FREEDOM: f64 = Effort::SHIFTS as f64 - 1.0;
 
 /// Standard errors beyond which something is a finding, of one thing that is looked at: by chance one in 700.
 const FINDING: f64 = 3.0;
-
-/// Standard errors beyond which a single reading is named: by chance 1.6 in 1000 exceed them with eight shifts.
-const OUTLIER: f64 = 5.0;
 
 /// Part of the mean below which no single reading is named.
 const NEGLIGIBLE: f64 = 0.01;
@@ -64,6 +67,10 @@ pub struct Verdict {
     pub squared_error: f64,
     /// Its standard error SE₀ if all readings were right.
     pub by_chance: f64,
+    /// Square of the relative noise of the referee, Σ w s² over the denominator of err².
+    pub noise_squared: f64,
+    /// Number h of equal readings that tell as much.
+    pub equal_readings: f64,
     /// Readings.
     pub readings: usize,
     /// Rays that were traced.
@@ -85,6 +92,8 @@ pub struct SignedMean {
     pub relative: f64,
     /// Its standard error, by chance alone.
     pub error: f64,
+    /// Degrees of freedom of that error.
+    pub freedom: f64,
     /// Whether it exceeds chance.
     pub is_finding: bool,
 }
@@ -102,7 +111,7 @@ pub struct WorstReading {
     pub printed: f64,
     /// What the referee found.
     pub found: Mean,
-    /// Whether it differs by more than five standard errors and a hundredth of the mean.
+    /// Whether it differs by more than chance and by a hundredth of the mean.
     pub is_outlier: bool,
 }
 
@@ -115,10 +124,13 @@ impl Verdict {
         let squared = above / below;
         let spread = sum(&terms, |own| (own.above - squared * own.below).powi(2));
         let chance = sum(&terms, |own| own.chance_squared);
+        let noise = sum(&terms, |own| own.noise);
         Self {
             squared,
             squared_error: (spread * count / (count - 1.0)).sqrt() / below,
             by_chance: chance.sqrt() / below,
+            noise_squared: noise / below,
+            equal_readings: noise * noise / sum(&terms, |own| own.noise * own.noise),
             readings: judged.len(),
             rays: judged.iter().map(|own| own.estimate.rays).sum(),
             signed: signed_means(judged),
@@ -149,19 +161,20 @@ impl Verdict {
 
     /// Whether the error in the L2 mean exceeds `told` by more than chance.
     pub fn exceeds(&self, told: f64) -> bool {
-        self.squared - told * told > FINDING * self.by_chance
+        let ratio = 1.0 + (self.squared - told * told) / self.noise_squared;
+        normal_of_ratio(ratio, self.equal_readings, FREEDOM * self.equal_readings) > FINDING
     }
 }
 
 impl SignedMean {
     /// Whether it exceeds `told` by more than chance.
     fn exceeds(&self, told: f64) -> bool {
-        self.relative.abs() - told > FINDING * self.error
+        normal_of_student((self.relative.abs() - told) / self.error, self.freedom) > FINDING
     }
 
-    /// The mean over its standard error.
+    /// The mean over its standard error, as of a normal number that is as seldom.
     fn score(&self) -> f64 {
-        self.relative.abs() / self.error
+        normal_of_student(self.relative.abs() / self.error, self.freedom)
     }
 }
 
@@ -169,16 +182,19 @@ impl SignedMean {
 struct Terms {
     above: f64,
     below: f64,
+    /// w s², bands added as they err.
+    noise: f64,
     chance_squared: f64,
 }
 
 impl Terms {
     fn of(judged: &Judged) -> Self {
-        let mut terms = Self { above: 0.0, below: 0.0, chance_squared: 0.0 };
+        let mut terms = Self { above: 0.0, below: 0.0, noise: 0.0, chance_squared: 0.0 };
         for (printed, mean) in judged.printed.iter().zip(&judged.estimate.bands) {
             let variance = mean.error * mean.error;
             terms.above += judged.weight * ((printed - mean.value).powi(2) - variance);
             terms.below += judged.weight * (mean.value * mean.value - variance);
+            terms.noise += judged.weight * variance;
             let fourth = variance * variance * FREEDOM / (FREEDOM + 2.0);
             // Bands of one walk err together: their standard deviations add up, not their variances.
             terms.chance_squared += judged.weight * (2.0 * (1.0 + 1.0 / FREEDOM) * fourth).sqrt();
@@ -197,8 +213,7 @@ fn signed_means(judged: &[Judged]) -> Vec<SignedMean> {
     let mut classes: BTreeMap<&str, Differences> = BTreeMap::new();
     for own in judged {
         let sums = classes.entry(&own.class).or_default();
-        own.printed.iter().zip(&own.estimate.bands).for_each(|(printed, mean)| sums.add(*printed, mean));
-        sums.readings += 1;
+        sums.add(own);
     }
     let mut all: Vec<SignedMean> =
         classes.into_iter().filter_map(|(name, sums)| sums.mean(name.to_owned())).collect();
@@ -214,16 +229,24 @@ fn signed_means(judged: &[Judged]) -> Vec<SignedMean> {
 struct Differences {
     readings: usize,
     difference: f64,
-    /// Sum of standard errors of the bands of each reading, squared: bands err together.
     variance: f64,
+    /// Sum of squares of the readings' variances.
+    fourth: f64,
     found: f64,
 }
 
 impl Differences {
-    fn add(&mut self, printed: f64, mean: &Mean) {
-        self.difference += printed - mean.value;
-        self.variance += mean.error * mean.error;
-        self.found += mean.value;
+    fn add(&mut self, judged: &Judged) {
+        // Bands of one walk err together: their standard errors add up, not the squares of them.
+        let mut error = 0.0;
+        for (printed, mean) in judged.printed.iter().zip(&judged.estimate.bands) {
+            self.difference += printed - mean.value;
+            self.found += mean.value;
+            error += mean.error;
+        }
+        self.variance += error * error;
+        self.fourth += error.powi(4);
+        self.readings += 1;
     }
 
     fn mean(self, of: String) -> Option<SignedMean> {
@@ -233,9 +256,24 @@ impl Differences {
             readings: self.readings,
             relative: self.difference / self.found,
             error: self.variance.sqrt() / self.found,
+            freedom: FREEDOM * self.variance * self.variance / self.fourth,
             is_finding: false,
         })
     }
+}
+
+/// The normal number that is exceeded as seldom as t of Student's distribution of ν degrees of freedom (D. Wallace,
+/// Ann. Math. Stat. 30, 1959).
+fn normal_of_student(t: f64, freedom: f64) -> f64 {
+    let size = (freedom * (t * t / freedom).ln_1p()).sqrt();
+    (8.0 * freedom + 1.0) / (8.0 * freedom + 3.0) * size.copysign(t)
+}
+
+/// The normal number that is exceeded as seldom as a ratio of F(ν₁, ν₂) (E. Paulson, Ann. Math. Stat. 13, 1942).
+fn normal_of_ratio(ratio: f64, above: f64, below: f64) -> f64 {
+    let [above, below] = [above, below].map(|freedom| 2.0 / (9.0 * freedom));
+    let root = ratio.max(0.0).cbrt();
+    ((1.0 - below) * root - (1.0 - above)) / (below * root * root + above).sqrt()
 }
 
 /// Standard errors that the largest of `count` means exceeds as seldom by chance as one exceeds three.
@@ -259,7 +297,8 @@ fn worst_readings(judged: &[Judged], terms: &[Terms], mean: f64, count: usize) -
         let off = |(_, (printed, found)): &(usize, (f64, Mean))| (printed - found.value).abs();
         let (band, (printed, found)) = pairs().max_by(|a, b| off(a).total_cmp(&off(b)))?;
         let difference = (printed - found.value).abs();
-        let is_outlier = difference > OUTLIER * found.error && difference > NEGLIGIBLE * mean;
+        let seldom = normal_of_student(difference / found.error, FREEDOM) > threshold(judged.len());
+        let is_outlier = seldom && difference > NEGLIGIBLE * mean;
         Some(WorstReading { reading: *reading, of: own.class.clone(), band, printed, found, is_outlier })
     };
     order.iter().take(count).filter_map(named).collect()

@@ -1,0 +1,15 @@
+//! Evidence for the referee: its readings against furnaces, closed forms and quadratures within its own errors,
+//! faults that are planted, and how often it raises a false alarm.
+
+mod trial;
+mod fairness;
+mod furnaces;
+mod lamps;
+mod web;
+mod luminaires;
+mod skies;
+mod stacks;
+mod means;
+mod whole;
+mod alarms;
+mod faults;

@@ -1,0 +1,213 @@
+//! Faults that are planted: printed numbers are those of a program that errs in one thing, while the referee sees
+//! the scene as it is. Each is found, and its place is among the three worst.
+//!
+//! What errs stands in elements, blocks, or direct light, of which the referee knows nothing: the program is given
+//! another scene, or part of what it finds is changed.
+
+use radiosity::audit::{Effort, Judged, Referee, SamplePoint, Spot, Verdict};
+use radiosity::reading::probe::{Probe, probe};
+use radiosity::reading::quality::Quality;
+use radiosity::{Scene, Work};
+use radiosity_geom::DVec3;
+use radiosity_test_support::direct::in_the_open;
+use radiosity_test_support::scenes::typed;
+use radiosity_test_support::solved::solved_of;
+
+/// Seconds of two threads that the referee takes.
+const SECONDS: f64 = 1.0;
+
+/// Readings of a run.
+const READINGS: usize = 64;
+
+/// Places, or surfaces, that are named.
+const NAMED: usize = 3;
+
+/// A room with a desk on which a mat lies, a screen, two lamps and a ball.
+const ROOM: &str = r#"
+bands = ["lm"]
+materials.wall = { reflectance = 0.6 }
+materials.wood = { reflectance = 0.4 }
+materials.felt = { reflectance = 0.2 }
+materials.tiles = { reflectance = { cells = [[0.2, 0.7], [0.6, 0.3]], scale = 2 } }
+materials.lamp = { reflectance = 0, emission = 3000 }
+[[surfaces]]
+name = "room"
+material = "wall"
+box = { origin = [0, 0, 0], size = [4, 5, 3], inward = true, open = ["bottom"] }
+[[surfaces]]
+name = "floor"
+material = "tiles"
+parallelogram = { origin = [0, 0, 0], edge1 = [4, 0, 0], edge2 = [0, 5, 0] }
+[[surfaces]]
+name = "desk"
+material = "wood"
+box = { origin = [1, 1, 0.7], size = [2, 1, 0.05] }
+[[surfaces]]
+name = "mat"
+material = "felt"
+parallelogram = { origin = [1.5, 1.2, 0.751], edge1 = [1, 0, 0], edge2 = [0, 0.6, 0] }
+[[surfaces]]
+name = "screen"
+material = "wall"
+two_sided = true
+parallelogram = { origin = [0, 3, 0], edge1 = [2.5, 0, 0], edge2 = [0, 0, 2] }
+[[surfaces]]
+name = "lamp"
+material = "lamp"
+parallelogram = { origin = [1, 1, 2.99], edge1 = [0, 1, 0], edge2 = [0.6, 0, 0] }
+[[surfaces]]
+name = "other lamp"
+material = "lamp"
+parallelogram = { origin = [2.6, 3.5, 2.99], edge1 = [0, 0.6, 0], edge2 = [0.6, 0, 0] }
+[[surfaces]]
+name = "ball"
+material = "wall"
+sphere = { center = [3.2, 4.2, 0.8], radius = 0.4 }
+"#;
+
+/// The text of a surface of the room.
+fn part_of_room(name: &str) -> String {
+    let start = ROOM.find(&format!("[[surfaces]]\nname = \"{name}\"")).expect("a surface");
+    let end = ROOM[start + 2..].find("[[surfaces]]").map_or(ROOM.len(), |length| start + 2 + length);
+    ROOM[start..end].to_owned()
+}
+
+/// The room with a text in place of another.
+fn room_with(from: &str, to: &str) -> Scene {
+    assert!(ROOM.contains(from), "{from}");
+    typed(&ROOM.replacen(from, to, 1))
+}
+
+fn point(own: &SamplePoint) -> (DVec3, DVec3) {
+    let Spot::Point { position, normal } = own.spot else { unreachable!("samples are points") };
+    (position, normal)
+}
+
+/// What the program prints at points of a scene with the middle `middle`, solved and read finely.
+fn printed(scene: Scene, sample: &[SamplePoint], middle: DVec3) -> Vec<f64> {
+    let solved = solved_of(scene, Quality::Fine.options());
+    let reader = Quality::Fine.reading().reader(&solved.outcome.solution, solved.visibility());
+    let probes: Vec<Probe> = sample
+        .iter()
+        .map(|own| {
+            let (position, normal) = point(own);
+            Probe { position: position + middle, normal }
+        })
+        .collect();
+    let found = probe(&reader, &probes, solved.scene.middle, &Work::alone()).expect("it gathers");
+    found.iter().map(|own| own.irradiance[0]).collect()
+}
+
+/// The verdict on numbers printed at points of the room.
+fn verdict(scene: &Scene, sample: &[SamplePoint], printed: &[f64]) -> Verdict {
+    let spots: Vec<Spot> = sample.iter().map(|own| own.spot.clone()).collect();
+    let effort = Effort::of_seconds(SECONDS, spots.len(), scene.surfaces.len()).seeded(9);
+    let found = Referee::of_light(scene).estimates(&spots, &effort, &Work::alone());
+    let judged: Vec<Judged> = found
+        .into_iter()
+        .zip(sample)
+        .zip(printed)
+        .map(|((estimate, own), printed)| Judged {
+            printed: vec![*printed],
+            printed_groups: Vec::new(),
+            estimate,
+            weight: 1.0,
+            class: scene.surfaces[own.surface].name.clone(),
+        })
+        .collect();
+    Verdict::of(&judged, NAMED)
+}
+
+/// Asserts that a verdict is a finding, and that one of the worst readings, or of the means that exceed chance
+/// most, is of a surface whose name has one of these in it.
+#[track_caller]
+fn assert_caught(verdict: &Verdict, places: &[&str]) {
+    println!(
+        "error {:.4} visible {:.4} {:?}\n  {:?}",
+        verdict.error(),
+        verdict.visible(),
+        verdict.signed.iter().take(NAMED).collect::<Vec<_>>(),
+        verdict.worst
+    );
+    assert!(verdict.finds(0.0), "{verdict:?}");
+    let worst = verdict.worst.iter().map(|own| own.of.as_str());
+    let mut named = worst.chain(verdict.signed.iter().take(NAMED).map(|own| own.of.as_str()));
+    let is_named = named.any(|name| places.iter().any(|place| name.contains(place)));
+    assert!(is_named || places.is_empty(), "{places:?}: {verdict:?}");
+}
+
+/// A sample of the room, and the verdict on what is printed there of another scene.
+fn verdict_on(other: Scene) -> Verdict {
+    let room = typed(ROOM);
+    let sample = Referee::of_light(&room).sample(READINGS, 0);
+    let printed = printed(other, &sample, room.middle);
+    verdict(&room, &sample, &printed)
+}
+
+#[test]
+fn the_room_as_it_is_raises_no_alarm() {
+    let found = verdict_on(typed(ROOM));
+    assert!(!found.finds(0.002), "{found:?}");
+}
+
+/// All weights 1 % off: G times 1.01, for E = G (M + ρ E), is M and ρ times 1.01.
+#[test]
+fn weights_that_are_a_hundredth_off_are_found() {
+    let mut text = ROOM.to_owned();
+    for (from, to) in [
+        ("wall = { reflectance = 0.6", "wall = { reflectance = 0.606"),
+        ("wood = { reflectance = 0.4", "wood = { reflectance = 0.404"),
+        ("felt = { reflectance = 0.2", "felt = { reflectance = 0.202"),
+        ("[[0.2, 0.7], [0.6, 0.3]]", "[[0.202, 0.707], [0.606, 0.303]]"),
+        ("emission = 3000", "emission = 3030"),
+    ] {
+        assert!(text.contains(from), "{from}");
+        text = text.replace(from, to);
+    }
+    assert_caught(&verdict_on(typed(&text)), &[]);
+}
+
+#[test]
+fn a_blocker_that_is_left_out_is_found() {
+    let found = verdict_on(room_with(&part_of_room("screen"), ""));
+    // What it shades are the floor and the wall behind it, and its own sides.
+    assert_caught(&found, &["screen", "floor", "left", "room"]);
+}
+
+#[test]
+fn a_face_that_is_turned_is_found() {
+    let mat = part_of_room("mat");
+    assert_caught(&verdict_on(room_with(&mat, &(mat.clone() + "flip = true\n"))), &["mat"]);
+}
+
+#[test]
+fn a_lamp_at_half_power_in_the_direct_light_is_found() {
+    let room = typed(ROOM);
+    let sample = Referee::of_light(&room).sample(READINGS, 0);
+    let right = printed(typed(ROOM), &sample, room.middle);
+    // The other lamp alone, nothing reflected, in the shadows of the room.
+    let dark = ROOM.replacen("material = \"lamp\"", "material = \"felt\"", 1);
+    let options = Quality::Fine.options();
+    let points: Vec<(DVec3, DVec3)> = sample.iter().map(point).map(|(x, n)| (x + 1e-6 * n, n)).collect();
+    let direct = in_the_open(&typed(&dark), &options, &points, 1e-4);
+    let printed: Vec<f64> = right.iter().zip(&direct).map(|(all, direct)| all - 0.5 * direct).collect();
+    assert_caught(&verdict(&room, &sample, &printed), &["ball", "floor", "room"]);
+}
+
+#[test]
+fn a_mean_of_a_texture_that_is_wrong_is_found() {
+    let found = verdict_on(room_with("[[0.2, 0.7], [0.6, 0.3]]", "[[0.2, 0.6], [0.5, 0.3]]"));
+    assert_caught(&found, &["room", "desk"]);
+}
+
+/// On the mat is printed what the desk below it receives.
+#[test]
+fn a_reading_of_the_hidden_layer_is_found() {
+    let room = typed(ROOM);
+    let sample = Referee::of_light(&room).sample(4 * READINGS, 0);
+    let mut printed = printed(typed(ROOM), &sample, room.middle);
+    let is_mat = |own: &SamplePoint| room.surfaces[own.surface].name == "mat";
+    assert!(sample.iter().any(is_mat));
+    printed.iter_mut().zip(&sample).filter(|(_, own)| is_mat(own)).for_each(|(value, _)| *value = 0.0);
+    assert_caught(&verdict(&room, &sample, &printed), &["mat"]);
+}
