@@ -3,6 +3,7 @@
 mod animation;
 mod animation_by_series;
 mod animation_series;
+mod audit_heat;
 mod bases;
 mod bounces;
 mod boxes;
