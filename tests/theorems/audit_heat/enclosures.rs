@@ -2,6 +2,10 @@
 
 use std::f64::consts::PI;
 
+use radiosity::Work;
+use radiosity::audit::{Effort, HeatReferee, ViewFactorReferee};
+use radiosity_test_support::scenes::typed;
+
 use super::scored::{SEEN, Scored, heat, level, of};
 
 #[test]
@@ -118,4 +122,35 @@ fn what_stands_on_a_sheet_takes_its_place() {
         assert!(off <= SEEN * side.flow.error + 2e-3 * flow, "{:?} for {flow}", side.flow);
         assert!(side.flow.error < 2e-2 * flow, "{:?}", side.flow);
     }
+}
+
+#[test]
+fn heat_and_view_factors_are_alike_on_any_threads() {
+    let text = r#"
+        materials.hot = { emissivity = 0.7, temperature = 1000 }
+        materials.foil = { emissivity = 0.3, heat_flux = 20 }
+        [[surfaces]]
+        name = "ball"
+        material = "hot"
+        sphere = { center = [0, 0, 1], radius = 0.5 }
+        [[surfaces]]
+        name = "foil"
+        material = "foil"
+        two_sided = true
+        disk = { center = [0, 0, 0], normal = [0, 1, 3], radius = 1 }
+    "#;
+    let scene = typed(text);
+    let effort = Effort::of_walks(256.0).seeded(3);
+    let run = |threads: usize| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
+        pool.install(|| {
+            let heat = HeatReferee::of(&scene).expect("it has a temperature");
+            let factors = ViewFactorReferee::of(&scene);
+            (
+                heat.estimates(&[0, 1, 2], &effort, &Work::alone()),
+                factors.rows(&[0, 1, 2], &effort, &Work::alone()),
+            )
+        })
+    };
+    assert_eq!(run(1), run(3));
 }

@@ -3,6 +3,8 @@
 use radiosity::audit::HeatReferee;
 use radiosity_test_support::scenes::typed;
 
+use super::scored::{heat, level, of};
+
 const BOX: &str = r#"
     materials.hot = { emissivity = 1, temperature = 1000 }
     materials.brick = { emissivity = 0.5, adiabatic = true }
@@ -36,4 +38,29 @@ fn what_walks_cannot_tell_is_refused_with_names_and_cure() {
     let apart = BOX.replace("origin = [0, 0, 0]", "origin = [5, 0, 0]").replace(", open = [\"bottom\"]", "");
     let apart = refused(&apart);
     assert!(apart.contains("\"wall-left\"") && !apart.contains("\"floor\""), "{apart}");
+}
+
+#[test]
+fn walks_that_are_caught_tell_no_number() {
+    // Under a hood that is adiabatic inside nothing sets the level, but the floor goes on outside.
+    let text = r#"
+        materials.hot = { emissivity = 1, temperature = 1000 }
+        materials.brick = { emissivity = 0.5, adiabatic = true }
+        [[surfaces]]
+        name = "floor"
+        material = "brick"
+        quad = { vertices = [[-3,-3,0],[4,-3,0],[4,4,0],[-3,4,0]] }
+        [[surfaces]]
+        name = "hood"
+        material = "brick"
+        box = { origin = [0, 0, 0], size = [1, 1, 1], inward = true, open = ["bottom"] }
+        [[surfaces]]
+        name = "plate"
+        material = "hot"
+        quad = { vertices = [[0,0,2],[0,1,2],[1,1,2],[1,0,2]] }
+    "#;
+    let found = heat(text, 64.0, 0);
+    assert!(of(&found, "hood-top").level.value.is_nan(), "{:?}", of(&found, "hood-top"));
+    let plate = of(&found, "plate").flux;
+    assert!(plate.value > 0.5 * level(1000.0) && plate.value <= level(1000.0), "{plate:?}");
 }

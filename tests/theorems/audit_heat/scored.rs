@@ -59,15 +59,21 @@ pub(super) fn apart(mean: &Mean, number: f64) -> f64 {
 /// The heat of all surfaces of a scene.
 pub(super) fn heat(text: &str, walks: f64, seed: u64) -> Vec<(String, HeatEstimate)> {
     let scene = typed(text);
-    let referee = HeatReferee::of(&scene).unwrap_or_else(|fault| panic!("{fault}: {}", fault.cure()));
     let all: Vec<usize> = (0..scene.surfaces.len()).collect();
-    let effort = Effort::of_walks(walks).seeded(seed);
-    let estimates = referee.estimates(&all, &effort, &Work::alone());
-    estimates.into_iter().map(|own| (name(&scene, own.surface), own)).collect()
+    let estimates = estimates(&scene, &all, walks, seed);
+    estimates.into_iter().map(|own| (scene.surfaces[own.surface].name.clone(), own)).collect()
 }
 
-fn name(scene: &Scene, surface: usize) -> String {
-    scene.surfaces[surface].name.clone()
+/// The heat of one surface of a scene.
+pub(super) fn heat_of(name: &str, text: &str, walks: f64, seed: u64) -> HeatEstimate {
+    let scene = typed(text);
+    let surface = scene.surface_named(name).unwrap_or_else(|error| panic!("{error}"));
+    estimates(&scene, &[surface], walks, seed)[0]
+}
+
+fn estimates(scene: &Scene, surfaces: &[usize], walks: f64, seed: u64) -> Vec<HeatEstimate> {
+    let referee = HeatReferee::of(scene).unwrap_or_else(|fault| panic!("{fault}: {}", fault.cure()));
+    referee.estimates(surfaces, &Effort::of_walks(walks).seeded(seed), &Work::alone())
 }
 
 /// The heat of the surface of that name.

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use super::scored::{SEEN, Scored, apart, heat, level, of};
+use super::scored::{SEEN, Scored, apart, heat, heat_of, level, of};
 
 /// Radii of inner and outer sphere, of emissivities 0.8 and 0.6 and at 500 and 300 K.
 const RADII: [f64; 2] = [1.0, 2.0];
@@ -13,7 +13,7 @@ const FOIL: [f64; 2] = [0.1, 0.2];
 /// Power (W) that a heated shield sends out.
 const HEATED: f64 = 3000.0;
 
-const WALKS: f64 = 4096.0;
+const WALKS: f64 = 2048.0;
 
 fn area(radius: f64) -> f64 {
     4.0 * PI * radius * radius
@@ -111,7 +111,7 @@ fn walks_pass_one_shield_and_several() {
         let between: String = shields.iter().map(|radius| shield(*radius, "adiabatic = true")).collect();
         let series = Series::of(shields);
         let flow = (level(500.0) - level(300.0)) / series.total();
-        for seed in 0..40 {
+        for seed in 0..30 {
             let found = heat(&spheres("temperature = 500", &between), WALKS, seed);
             scored.add("inner", &of(&found, "inner").flow, flow);
             scored.add("outer", &of(&found, "outer").flow, -flow);
@@ -123,7 +123,7 @@ fn walks_pass_one_shield_and_several() {
                 assert!(apart(&side.temperature, kelvin) < 10.0, "{:?} for {kelvin}", side.temperature);
             }
         }
-        scored.check(40 * (2 + 2 * shields.len()));
+        scored.check(30 * (2 + 2 * shields.len()));
     }
 }
 
@@ -148,13 +148,12 @@ fn a_heated_shield_sends_its_heat_both_ways() {
 
 #[test]
 fn an_emissivity_that_is_off_by_a_hundredth_is_seen() {
-    let found = heat(&spheres("temperature = 500", ""), 65536.0, 0);
+    let inner = heat_of("inner", &spheres("temperature = 500", ""), 65536.0, 0).flow;
     let right = (level(500.0) - level(300.0)) / Series::of(&[]).total();
     // As of an emissivity of 0.808 instead of 0.8.
     let surface = |emissivity: f64| (1.0 - emissivity) / (emissivity * area(1.0));
     let wrong =
         (level(500.0) - level(300.0)) / (Series::of(&[]).total() - surface(0.8) + surface(1.01 * 0.8));
-    let inner = of(&found, "inner").flow;
     assert!(apart(&inner, right) < SEEN, "{inner:?} for {right}");
     assert!(apart(&inner, wrong) > SEEN, "{inner:?} for {wrong}");
 }

@@ -13,7 +13,7 @@ use radiosity_test_support::random::Random;
 
 use super::scored::{Scored, heat, level, of};
 
-/// What is known of a zone.
+/// The known quantity of a zone.
 #[derive(Clone, Copy)]
 enum Known {
     Kelvin(f64),
