@@ -4,6 +4,7 @@ mod animation;
 mod animation_by_series;
 mod animation_series;
 mod audit;
+mod audit_heat;
 mod bases;
 mod bounces;
 mod boxes;

@@ -11,7 +11,7 @@
 //! (`walk`), what is read (`spot`), how much of it (`effort`), the [`Referee`] of light, those
 //! of heat ([`HeatReferee`]) and of view factors ([`ViewFactorReferee`]), and the [`Verdict`] on printed numbers.
 //!
-//! Imports `geom`, `scene` and `work`.
+//! Imports `geom`, `work` and `scene`.
 
 mod random;
 mod lattice;

@@ -166,6 +166,9 @@ fn shift_of(ground: &Ground<'_>, start: &Start<'_>, log: u32, name: &[u64; 4]) -
                 ground.walk(vertex, weight, &mut draws, &mut scores);
             }
         }
+        if scores.are_lost() {
+            break;
+        }
     }
     if weights > 0.0 {
         scores.groups.iter_mut().for_each(|sum| *sum = (1.0 / weights) * *sum);

@@ -31,7 +31,7 @@ const OF_SHEETS: u64 = 4;
 /// A sheet.
 #[derive(Debug)]
 pub(crate) struct Sheet {
-    /// What the given flux adds to its level, q A_1 / Σ ε A (W m⁻²).
+    /// Its level by the given flux alone, q A_1 / Σ ε A (W m⁻²).
     pub(crate) level: f64,
     /// Part ε A / Σ ε A of the first side.
     pub(crate) first: f64,

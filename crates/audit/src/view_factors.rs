@@ -3,6 +3,9 @@
 //! ```text
 //! F_ij = ⟨ 1 where the ray meets j ⟩ ,   rays from even points of what nothing stands on, by the cosine
 //! ```
+//!
+//! Parts of n rays are multiples of 1/n. The moves of a lattice may all tell the nearest one, so that their spread
+//! is less than what they err by: the variance 1/(12 n²) of rounding is added to that of each move.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -111,14 +114,24 @@ impl ViewFactorRow {
     /// The factor to a surface.
     pub fn to(&self, surface: usize) -> Mean {
         let found = self.factors.binary_search_by_key(&surface, |own| own.to);
-        found.map_or_else(|_| Mean::default(), |place| self.factors[place].factor)
+        let unmet = || Mean { value: 0.0, error: rounding(self.rays / Effort::SHIFTS as u64) };
+        found.map_or_else(|_| unmet(), |place| self.factors[place].factor)
     }
+}
+
+/// The error that rounding to parts of so many rays leaves in the mean of all moves.
+fn rounding(rays: u64) -> f64 {
+    (12.0 * Effort::SHIFTS as f64).sqrt().recip() / rays.max(1) as f64
 }
 
 /// The row that independent moves of the lattice tell.
 fn row(surface: usize, all: &[Parts]) -> ViewFactorRow {
+    let rounding = rounding(all[0].rays);
     let met: BTreeSet<usize> = all.iter().flat_map(|own| own.fronts.keys().copied()).collect();
-    let mean = |part: &dyn Fn(&Parts) -> f64| Mean::of(&all.iter().map(part).collect::<Vec<_>>());
+    let mean = |part: &dyn Fn(&Parts) -> f64| {
+        let Mean { value, error } = Mean::of(&all.iter().map(part).collect::<Vec<_>>());
+        Mean { value, error: error.hypot(rounding) }
+    };
     let factor = |to: usize| {
         let factor = mean(&|own| own.fronts.get(&to).copied().unwrap_or(0.0));
         ViewFactor { to, factor }

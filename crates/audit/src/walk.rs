@@ -29,9 +29,9 @@ use crate::skin::{Absorbed, Skin};
 use crate::spectrum::Spectrum;
 use crate::suns::Suns;
 
-/// Most vertices of a walk: one that is longer is caught where nothing absorbs, and tells no number. Chosen: a
-/// walk out of a hole of a millionth of a white cavity hardly reaches it.
-const LONGEST: usize = 1 << 24;
+/// Most vertices of a walk: a longer one is caught where nothing absorbs, and tells no number. Chosen: out of a
+/// hole of a ten-thousandth of a white cavity all but 10⁻¹¹ of the walks are shorter.
+const LONGEST: usize = 1 << 18;
 
 /// Draws that tell where a walk starts.
 const START: usize = 2;
@@ -80,6 +80,11 @@ impl Scores {
     /// No walks, of so many groups.
     pub(crate) fn none(groups: usize) -> Self {
         Self { groups: vec![Spectrum::default(); groups], bare: 1.0, rays: 0 }
+    }
+
+    /// Whether a walk was caught, so that they tell no number.
+    pub(crate) fn are_lost(&self) -> bool {
+        self.groups[0].sum().is_nan()
     }
 }
 

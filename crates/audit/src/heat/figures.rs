@@ -6,7 +6,8 @@ use crate::referee::Mean;
 
 use super::roles::{Role, STEFAN_BOLTZMANN};
 
-/// The heat of one surface, as means over what nothing stands on. What is given has the error 0.
+/// The heat of one surface, as means over what nothing stands on. Given numbers have the error 0; all are no
+/// numbers where a walk is caught among surfaces that absorb nothing.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct HeatEstimate {
     /// Index of the surface.
@@ -25,7 +26,7 @@ pub struct HeatEstimate {
     pub rays: u64,
 }
 
-/// What one move of the lattice tells of a surface.
+/// The irradiance of a surface by one move of the lattice.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Irradiance {
     /// L₀ (W m⁻²).

@@ -22,7 +22,7 @@ const PROBES: usize = 512;
 /// Stream of the random numbers that they take.
 const OF_PROBES: u64 = 3;
 
-/// What rays from a surface meet.
+/// The sight of a surface, by rays.
 enum Seen {
     /// Something that ends walks; or the surface exchanges nothing.
     End,
@@ -54,7 +54,7 @@ fn is_known(role: &Role) -> bool {
     matches!(role, Role::Temperature { .. })
 }
 
-/// What rays from bare points of a surface meet, up to the first that ends a walk.
+/// The sight of a surface from its bare points, up to the first ray that ends a walk.
 fn seen(rays: &Rays, roles: &Roles, surface: usize) -> Seen {
     let spread = Spread::over(rays.shape(surface), Rect::FULL);
     let mut random = Random::of(&[surface as u64, OF_PROBES]);

@@ -1,4 +1,4 @@
-//! What is known of the heat of each surface.
+//! Roles of surfaces in heat: a known temperature, a known flux, or a side of a sheet of known flux.
 
 use radiosity_scene::{Condition, Scene, SceneSurface};
 
@@ -7,7 +7,7 @@ use super::fault::HeatFault;
 /// The Stefan–Boltzmann constant, W m⁻² K⁻⁴; exact by the definition of the SI units of 2019.
 pub(super) const STEFAN_BOLTZMANN: f64 = 5.670_374_419e-8;
 
-/// What is known of a surface.
+/// The known quantity of a surface.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Role {
     /// Its temperature, as the level σ T⁴ (W m⁻²).
@@ -28,7 +28,7 @@ pub(super) struct Pair {
     pub(super) flux: f64,
 }
 
-/// What is known of all surfaces.
+/// The roles of all surfaces.
 #[derive(Debug)]
 pub(super) struct Roles {
     /// One for each surface.
@@ -37,7 +37,7 @@ pub(super) struct Roles {
 }
 
 impl Roles {
-    /// What is known of the surfaces of `scene`.
+    /// The roles of the surfaces of `scene`.
     ///
     /// # Errors
     /// Surfaces of which too little is known.
