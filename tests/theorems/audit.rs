@@ -11,5 +11,6 @@ mod skies;
 mod stacks;
 mod means;
 mod whole;
+mod random;
 mod alarms;
 mod faults;

@@ -27,7 +27,9 @@ const WALKS: f64 = 65536.0;
 fn main() -> Result<(), Box<dyn Error>> {
     let words: Vec<String> = env::args().skip(1).collect();
     let walks = words.iter().find_map(|own| own.parse().ok()).unwrap_or(WALKS);
-    let wants = |name: &str| words.iter().any(|own| own == name) || words.iter().all(|own| own.parse::<f64>().is_ok());
+    let wants = |name: &str| {
+        words.iter().any(|own| own == name) || words.iter().all(|own| own.parse::<f64>().is_ok())
+    };
     for (name, table) in [("rooms", rooms as fn(&Path, f64) -> _), ("faults", faults)] {
         if !wants(name) {
             continue;
@@ -51,7 +53,10 @@ fn points(path: &Path) -> Result<Vec<(DVec3, DVec3)>, Box<dyn Error>> {
 
 /// What the referee finds at points.
 fn estimates(scene: &Scene, points: &[(DVec3, DVec3)], walks: f64) -> Vec<Estimate> {
-    let spot = |(position, normal): &(DVec3, DVec3)| Spot::Point { position: *position - scene.middle, normal: *normal };
+    let spot = |(position, normal): &(DVec3, DVec3)| Spot::Point {
+        position: *position - scene.middle,
+        normal: *normal,
+    };
     let spots: Vec<Spot> = points.iter().map(spot).collect();
     Referee::of_light(scene).estimates(&spots, &Effort::of_walks(walks), &Work::alone())
 }
@@ -101,7 +106,8 @@ const KINDS: [(&str, &[&str]); 14] = [
 ];
 
 fn kinds(scene: &Scene) -> Vec<&'static str> {
-    let stem = |name: &str| name.chars().take_while(|own| !own.is_ascii_digit() && *own != ':').collect::<String>();
+    let stem =
+        |name: &str| name.chars().take_while(|own| !own.is_ascii_digit() && *own != ':').collect::<String>();
     let stems: Vec<String> = scene.surfaces.iter().map(|own| stem(&own.name)).collect();
     let has = |names: &[&str]| names.iter().any(|name| stems.iter().any(|own| own == name));
     KINDS.into_iter().filter(|(_, names)| has(names)).map(|(kind, _)| kind).collect()
@@ -109,7 +115,8 @@ fn kinds(scene: &Scene) -> Vec<&'static str> {
 
 fn rooms(folder: &Path, walks: f64) -> Result<(), Box<dyn Error>> {
     let mut by_kind: BTreeMap<&str, Scores> = BTreeMap::new();
-    let mut paths: Vec<_> = fs::read_dir(folder.join("rooms"))?.map(|own| own.map(|own| own.path())).collect::<Result<_, _>>()?;
+    let mut paths: Vec<_> =
+        fs::read_dir(folder.join("rooms"))?.map(|own| own.map(|own| own.path())).collect::<Result<_, _>>()?;
     paths.retain(|path| path.extension().is_some_and(|own| own == "mc"));
     paths.sort();
     for path in paths {
@@ -144,7 +151,9 @@ fn rooms(folder: &Path, walks: f64) -> Result<(), Box<dyn Error>> {
             }
         }
     }
-    println!("| rooms with | rooms | sensors | mean of z | spread of z | largest | noise of the referee, % | of the other, % |");
+    println!(
+        "| rooms with | rooms | sensors | mean of z | spread of z | largest | noise of the referee, % | of the other, % |"
+    );
     println!("| --- | --- | --- | --- | --- | --- | --- | --- |");
     by_kind.iter().for_each(|(kind, scores)| scores.print(kind));
     Ok(())
@@ -167,14 +176,46 @@ enum Where {
 
 /// Right values are those of the notes on the cases: of path tracing (± 0.15 %), of furnaces 2.
 const FAULTS: [Fault; 9] = [
-    Fault { scene: "adversary/01-sky-horizon.json", points: Where::File("adversary/01-sky-horizon-direct.csv"), right: &[] },
-    Fault { scene: "adversary/01-sky-horizon.json", points: Where::File("adversary/01-sky-horizon-walls.csv"), right: &[] },
-    Fault { scene: "adversary/02-table-shadow-cells.json", points: Where::File("adversary/02-table-shadow-cells.csv"), right: &[] },
-    Fault { scene: "adversary/03-mat-on-desk.json", points: Where::File("adversary/03-mat-on-desk.csv"), right: &[] },
-    Fault { scene: "adversary/03b-disk-lifted-1e-6.json", points: Where::File("adversary/03b-disk-lifted-1e-6.csv"), right: &[] },
-    Fault { scene: "adversary/04-one-sided-disk-back.json", points: Where::File("adversary/04-one-sided-disk-back.csv"), right: &[] },
-    Fault { scene: "adversary/05-sheet-edge-rays.json", points: Where::File("adversary/05-sheet-edge-rays.csv"), right: &[] },
-    Fault { scene: "adversary/06-disk-luminaire-far.json", points: Where::File("adversary/06-disk-luminaire-far.csv"), right: &[] },
+    Fault {
+        scene: "adversary/01-sky-horizon.json",
+        points: Where::File("adversary/01-sky-horizon-direct.csv"),
+        right: &[],
+    },
+    Fault {
+        scene: "adversary/01-sky-horizon.json",
+        points: Where::File("adversary/01-sky-horizon-walls.csv"),
+        right: &[],
+    },
+    Fault {
+        scene: "adversary/02-table-shadow-cells.json",
+        points: Where::File("adversary/02-table-shadow-cells.csv"),
+        right: &[],
+    },
+    Fault {
+        scene: "adversary/03-mat-on-desk.json",
+        points: Where::File("adversary/03-mat-on-desk.csv"),
+        right: &[],
+    },
+    Fault {
+        scene: "adversary/03b-disk-lifted-1e-6.json",
+        points: Where::File("adversary/03b-disk-lifted-1e-6.csv"),
+        right: &[],
+    },
+    Fault {
+        scene: "adversary/04-one-sided-disk-back.json",
+        points: Where::File("adversary/04-one-sided-disk-back.csv"),
+        right: &[],
+    },
+    Fault {
+        scene: "adversary/05-sheet-edge-rays.json",
+        points: Where::File("adversary/05-sheet-edge-rays.csv"),
+        right: &[],
+    },
+    Fault {
+        scene: "adversary/06-disk-luminaire-far.json",
+        points: Where::File("adversary/06-disk-luminaire-far.csv"),
+        right: &[],
+    },
     Fault { scene: "papers/t_bez2.toml", points: Where::Sample, right: &[] },
 ];
 
@@ -201,7 +242,10 @@ fn faults(folder: &Path, walks: f64) -> Result<(), Box<dyn Error>> {
             let own = estimate.bands[0];
             let right = fault.right.iter().find(|(sensor, _)| *sensor == number);
             let right = right.map_or(String::new(), |(_, value)| format!("{value:.4}"));
-            println!("| {} | {number} | {printed:.4} | {:.4} | {:.4} | {right} |", fault.scene, own.value, own.error);
+            println!(
+                "| {} | {number} | {printed:.4} | {:.4} | {:.4} | {right} |",
+                fault.scene, own.value, own.error
+            );
         }
         let judge = |(estimate, printed): (Estimate, &f64)| Judged {
             printed: vec![*printed],
@@ -217,7 +261,12 @@ fn faults(folder: &Path, walks: f64) -> Result<(), Box<dyn Error>> {
     println!("| scene | error told by the referee, % | ± of its square, %² | it finds something |");
     println!("| --- | --- | --- | --- |");
     for (name, verdict) in verdicts {
-        println!("| {name} | {:.2} | {:.3} | {} |", 100.0 * verdict.error(), 1e4 * verdict.squared_error, verdict.finds(0.0));
+        println!(
+            "| {name} | {:.2} | {:.3} | {} |",
+            100.0 * verdict.error(),
+            1e4 * verdict.squared_error,
+            verdict.finds(0.0)
+        );
     }
     Ok(())
 }
@@ -226,7 +275,8 @@ fn faults(folder: &Path, walks: f64) -> Result<(), Box<dyn Error>> {
 fn printed(scene: Scene, points: &[(DVec3, DVec3)]) -> Result<Vec<f64>, Box<dyn Error>> {
     let solved = Solved::new(scene, Options::default(), &Work::alone())?;
     let reader = Quality::Default.reading().reader(&solved.outcome.solution, solved.visibility());
-    let probes: Vec<Probe> = points.iter().map(|(position, normal)| Probe { position: *position, normal: *normal }).collect();
+    let probes: Vec<Probe> =
+        points.iter().map(|(position, normal)| Probe { position: *position, normal: *normal }).collect();
     let found = probe(&reader, &probes, solved.scene.middle, &Work::alone());
     let found = found.map_err(|(index, fault)| format!("sensor {index}: {fault:?}"))?;
     Ok(found.into_iter().map(|own| own.irradiance[0]).collect())

@@ -1,8 +1,8 @@
 //! How often right numbers are called wrong: readings whose means are drawn from eight normal shifts each, and
 //! furnaces walked with other draws.
 
-use radiosity::audit::{Effort, Estimate, Judged, Mean, Referee, Spot, Verdict};
 use radiosity::Work;
+use radiosity::audit::{Effort, Estimate, Judged, Mean, Referee, Spot, Verdict};
 use radiosity_test_support::random::Random;
 use radiosity_test_support::scenes::typed;
 

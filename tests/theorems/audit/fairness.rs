@@ -27,7 +27,9 @@ pub(super) fn assert_fair(quotients: &[f64]) {
     let square = quotients.iter().map(|own| own * own).sum::<f64>() / count;
     let largest = quotients.iter().fold(0.0_f64, |largest, own| largest.max(own.abs()));
     let chi = chi_squared(quotients);
-    let told = format!("{count} readings: mean {mean:.3}, mean square {square:.2}, χ² {chi:.1}, largest {largest:.1}");
+    let told = format!(
+        "{count} readings: mean {mean:.3}, mean square {square:.2}, χ² {chi:.1}, largest {largest:.1}"
+    );
     println!("{told}");
     assert!(mean.abs() < FAR * (MEAN / count).sqrt(), "{told}");
     assert!((square - MEAN).abs() < FAR * (VARIANCE / count).sqrt(), "{told}");

@@ -4,10 +4,12 @@
 //! What errs stands in elements, blocks, or direct light, of which the referee knows nothing: the program is given
 //! another scene, or part of what it finds is changed.
 
-use radiosity::audit::{Effort, Judged, Referee, SamplePoint, Spot, Verdict};
+use std::sync::LazyLock;
+
+use radiosity::audit::{Effort, Estimate, Judged, Referee, SamplePoint, Spot, Verdict};
 use radiosity::reading::probe::{Probe, probe};
 use radiosity::reading::quality::Quality;
-use radiosity::{Scene, Work};
+use radiosity::{Options, Scene, Work};
 use radiosity_geom::DVec3;
 use radiosity_test_support::direct::in_the_open;
 use radiosity_test_support::scenes::typed;
@@ -17,12 +19,15 @@ use radiosity_test_support::solved::solved_of;
 const SECONDS: f64 = 1.0;
 
 /// Readings of a run.
-const READINGS: usize = 64;
+const READINGS: usize = 192;
+
+/// Error that the program may tell of itself. Chosen: it tells 0.12 %.
+const TOLD: f64 = 0.004;
 
 /// Places, or surfaces, that are named.
 const NAMED: usize = 3;
 
-/// A room with a desk on which a mat lies, a screen, two lamps and a ball.
+/// A room with a desk on which a mat lies, a screen, two lamps in the ceiling and a ball.
 const ROOM: &str = r#"
 bands = ["lm"]
 materials.wall = { reflectance = 0.6 }
@@ -45,20 +50,20 @@ box = { origin = [1, 1, 0.7], size = [2, 1, 0.05] }
 [[surfaces]]
 name = "mat"
 material = "felt"
-parallelogram = { origin = [1.5, 1.2, 0.751], edge1 = [1, 0, 0], edge2 = [0, 0.6, 0] }
+parallelogram = { origin = [1.2, 1.1, 0.751], edge1 = [1.6, 0, 0], edge2 = [0, 0.8, 0] }
 [[surfaces]]
 name = "screen"
 material = "wall"
 two_sided = true
-parallelogram = { origin = [0, 3, 0], edge1 = [2.5, 0, 0], edge2 = [0, 0, 2] }
+parallelogram = { origin = [0.5, 3, 0.5], edge1 = [2, 0, 0], edge2 = [0, 0, 1.5] }
 [[surfaces]]
 name = "lamp"
 material = "lamp"
-parallelogram = { origin = [1, 1, 2.99], edge1 = [0, 1, 0], edge2 = [0.6, 0, 0] }
+parallelogram = { origin = [1, 1, 3], edge1 = [0, 1, 0], edge2 = [0.6, 0, 0] }
 [[surfaces]]
 name = "other lamp"
 material = "lamp"
-parallelogram = { origin = [2.6, 3.5, 2.99], edge1 = [0, 0.6, 0], edge2 = [0.6, 0, 0] }
+parallelogram = { origin = [2.6, 3.5, 3], edge1 = [0, 0.6, 0], edge2 = [0.6, 0, 0] }
 [[surfaces]]
 name = "ball"
 material = "wall"
@@ -83,39 +88,52 @@ fn point(own: &SamplePoint) -> (DVec3, DVec3) {
     (position, normal)
 }
 
-/// What the program prints at points of a scene with the middle `middle`, solved and read finely.
-fn printed(scene: Scene, sample: &[SamplePoint], middle: DVec3) -> Vec<f64> {
-    let solved = solved_of(scene, Quality::Fine.options());
-    let reader = Quality::Fine.reading().reader(&solved.outcome.solution, solved.visibility());
-    let probes: Vec<Probe> = sample
-        .iter()
-        .map(|own| {
-            let (position, normal) = point(own);
-            Probe { position: position + middle, normal }
-        })
-        .collect();
-    let found = probe(&reader, &probes, solved.scene.middle, &Work::alone()).expect("it gathers");
-    found.iter().map(|own| own.irradiance[0]).collect()
+/// The room as the referee sees it: found once, for all that is printed.
+struct Seen {
+    scene: Scene,
+    sample: Vec<SamplePoint>,
+    found: Vec<Estimate>,
 }
 
-/// The verdict on numbers printed at points of the room.
-fn verdict(scene: &Scene, sample: &[SamplePoint], printed: &[f64]) -> Verdict {
+static ROOM_SEEN: LazyLock<Seen> = LazyLock::new(|| {
+    let scene = typed(ROOM);
+    let referee = Referee::of_light(&scene);
+    let sample = referee.sample(READINGS, 0);
     let spots: Vec<Spot> = sample.iter().map(|own| own.spot.clone()).collect();
     let effort = Effort::of_seconds(SECONDS, spots.len(), scene.surfaces.len()).seeded(9);
-    let found = Referee::of_light(scene).estimates(&spots, &effort, &Work::alone());
-    let judged: Vec<Judged> = found
-        .into_iter()
-        .zip(sample)
-        .zip(printed)
-        .map(|((estimate, own), printed)| Judged {
+    let found = referee.estimates(&spots, &effort, &Work::alone());
+    Seen { scene, sample, found }
+});
+
+impl Seen {
+    /// What the program prints of another scene at the points of this one.
+    fn printed(&self, other: Scene) -> Vec<f64> {
+        let solved = solved_of(other, Options::default());
+        let reader = Quality::Default.reading().reader(&solved.outcome.solution, solved.visibility());
+        let at =
+            |(position, normal): (DVec3, DVec3)| Probe { position: position + self.scene.middle, normal };
+        let probes: Vec<Probe> = self.sample.iter().map(point).map(at).collect();
+        let found = probe(&reader, &probes, solved.scene.middle, &Work::alone()).expect("it gathers");
+        found.iter().map(|own| own.irradiance[0]).collect()
+    }
+
+    /// The verdict on numbers printed at the points.
+    fn verdict(&self, printed: &[f64]) -> Verdict {
+        let judge = |((estimate, own), printed): ((&Estimate, &SamplePoint), &f64)| Judged {
             printed: vec![*printed],
             printed_groups: Vec::new(),
-            estimate,
+            estimate: estimate.clone(),
             weight: 1.0,
-            class: scene.surfaces[own.surface].name.clone(),
-        })
-        .collect();
-    Verdict::of(&judged, NAMED)
+            class: self.scene.surfaces[own.surface].name.clone(),
+        };
+        let judged = self.found.iter().zip(&self.sample).zip(printed).map(judge);
+        Verdict::of(&judged.collect::<Vec<_>>(), NAMED)
+    }
+
+    /// The verdict on what is printed of another scene.
+    fn verdict_on(&self, other: Scene) -> Verdict {
+        self.verdict(&self.printed(other))
+    }
 }
 
 /// Asserts that a verdict is a finding, and that one of the worst readings, or of the means that exceed chance
@@ -129,25 +147,17 @@ fn assert_caught(verdict: &Verdict, places: &[&str]) {
         verdict.signed.iter().take(NAMED).collect::<Vec<_>>(),
         verdict.worst
     );
-    assert!(verdict.finds(0.0), "{verdict:?}");
+    assert!(verdict.finds(TOLD), "{verdict:?}");
     let worst = verdict.worst.iter().map(|own| own.of.as_str());
     let mut named = worst.chain(verdict.signed.iter().take(NAMED).map(|own| own.of.as_str()));
     let is_named = named.any(|name| places.iter().any(|place| name.contains(place)));
     assert!(is_named || places.is_empty(), "{places:?}: {verdict:?}");
 }
 
-/// A sample of the room, and the verdict on what is printed there of another scene.
-fn verdict_on(other: Scene) -> Verdict {
-    let room = typed(ROOM);
-    let sample = Referee::of_light(&room).sample(READINGS, 0);
-    let printed = printed(other, &sample, room.middle);
-    verdict(&room, &sample, &printed)
-}
-
 #[test]
 fn the_room_as_it_is_raises_no_alarm() {
-    let found = verdict_on(typed(ROOM));
-    assert!(!found.finds(0.002), "{found:?}");
+    let found = ROOM_SEEN.verdict_on(typed(ROOM));
+    assert!(!found.finds(TOLD), "{found:?}");
 }
 
 /// All weights 1 % off: G times 1.01, for E = G (M + ρ E), is M and ρ times 1.01.
@@ -164,12 +174,12 @@ fn weights_that_are_a_hundredth_off_are_found() {
         assert!(text.contains(from), "{from}");
         text = text.replace(from, to);
     }
-    assert_caught(&verdict_on(typed(&text)), &[]);
+    assert_caught(&ROOM_SEEN.verdict_on(typed(&text)), &[]);
 }
 
 #[test]
 fn a_blocker_that_is_left_out_is_found() {
-    let found = verdict_on(room_with(&part_of_room("screen"), ""));
+    let found = ROOM_SEEN.verdict_on(room_with(&part_of_room("screen"), ""));
     // What it shades are the floor and the wall behind it, and its own sides.
     assert_caught(&found, &["screen", "floor", "left", "room"]);
 }
@@ -177,37 +187,33 @@ fn a_blocker_that_is_left_out_is_found() {
 #[test]
 fn a_face_that_is_turned_is_found() {
     let mat = part_of_room("mat");
-    assert_caught(&verdict_on(room_with(&mat, &(mat.clone() + "flip = true\n"))), &["mat"]);
+    assert_caught(&ROOM_SEEN.verdict_on(room_with(&mat, &(mat.clone() + "flip = true\n"))), &["mat"]);
 }
 
 #[test]
 fn a_lamp_at_half_power_in_the_direct_light_is_found() {
-    let room = typed(ROOM);
-    let sample = Referee::of_light(&room).sample(READINGS, 0);
-    let right = printed(typed(ROOM), &sample, room.middle);
+    let right = ROOM_SEEN.printed(typed(ROOM));
     // The other lamp alone, nothing reflected, in the shadows of the room.
     let dark = ROOM.replacen("material = \"lamp\"", "material = \"felt\"", 1);
-    let options = Quality::Fine.options();
-    let points: Vec<(DVec3, DVec3)> = sample.iter().map(point).map(|(x, n)| (x + 1e-6 * n, n)).collect();
-    let direct = in_the_open(&typed(&dark), &options, &points, 1e-4);
+    let points = ROOM_SEEN.sample.iter().map(point).map(|(x, n)| (x + 1e-6 * n, n));
+    let direct = in_the_open(&typed(&dark), &Options::default(), &points.collect::<Vec<_>>(), 1e-4);
     let printed: Vec<f64> = right.iter().zip(&direct).map(|(all, direct)| all - 0.5 * direct).collect();
-    assert_caught(&verdict(&room, &sample, &printed), &["ball", "floor", "room"]);
+    assert_caught(&ROOM_SEEN.verdict(&printed), &["ball", "floor", "room"]);
 }
 
 #[test]
 fn a_mean_of_a_texture_that_is_wrong_is_found() {
-    let found = verdict_on(room_with("[[0.2, 0.7], [0.6, 0.3]]", "[[0.2, 0.6], [0.5, 0.3]]"));
+    let found = ROOM_SEEN.verdict_on(room_with("[[0.2, 0.7], [0.6, 0.3]]", "[[0.2, 0.6], [0.5, 0.3]]"));
     assert_caught(&found, &["room", "desk"]);
 }
 
 /// On the mat is printed what the desk below it receives.
 #[test]
 fn a_reading_of_the_hidden_layer_is_found() {
-    let room = typed(ROOM);
-    let sample = Referee::of_light(&room).sample(4 * READINGS, 0);
-    let mut printed = printed(typed(ROOM), &sample, room.middle);
-    let is_mat = |own: &SamplePoint| room.surfaces[own.surface].name == "mat";
-    assert!(sample.iter().any(is_mat));
-    printed.iter_mut().zip(&sample).filter(|(_, own)| is_mat(own)).for_each(|(value, _)| *value = 0.0);
-    assert_caught(&verdict(&room, &sample, &printed), &["mat"]);
+    let mut printed = ROOM_SEEN.printed(typed(ROOM));
+    let is_mat = |own: &SamplePoint| ROOM_SEEN.scene.surfaces[own.surface].name == "mat";
+    assert!(ROOM_SEEN.sample.iter().any(is_mat));
+    let on_the_mat = printed.iter_mut().zip(&ROOM_SEEN.sample).filter(|(_, own)| is_mat(own));
+    on_the_mat.for_each(|(value, _)| *value = 0.0);
+    assert_caught(&ROOM_SEEN.verdict(&printed), &["mat"]);
 }

@@ -45,7 +45,8 @@ fn sheet_in_a_box(shape: Arc<dyn Surface>) -> Scene {
     let corner = bounds.center() - DVec3::new(1.4, 1.5, 1.3) * size;
     let mut builder = SceneBuilder::new("sheet", ["grey"]);
     let wall = paint(&mut builder, "wall", 0.5, 0.0);
-    let [front, back] = [("front", 0.3), ("back", 0.5)].map(|(name, own)| paint(&mut builder, name, own, 0.4));
+    let [front, back] =
+        [("front", 0.3), ("back", 0.5)].map(|(name, own)| paint(&mut builder, name, own, 0.4));
     builder.surface("sheet", shape, &front).two_sided().back_material(&back);
     for (index, face) in faces(corner, [3.0 * size * DVec3::X, 2.9 * size * DVec3::Y, 2.8 * size * DVec3::Z])
         .into_iter()
@@ -155,7 +156,8 @@ fn gutter() -> Vec<Arc<dyn Surface>> {
 fn pierced_room() -> Vec<Arc<dyn Surface>> {
     let [floor, top, sides @ ..] = faces(DVec3::ZERO, [DVec3::Z, 2.0 * DVec3::X, 1.5 * DVec3::Y]);
     drop(floor);
-    let flat = |list: &[[f64; 2]], z: f64| list.iter().map(|[x, y]| DVec3::new(*x, *y, z)).collect::<Vec<_>>();
+    let flat =
+        |list: &[[f64; 2]], z: f64| list.iter().map(|[x, y]| DVec3::new(*x, *y, z)).collect::<Vec<_>>();
     let outline = flat(&[[0.0, 0.0], [2.0, 0.0], [2.0, 1.5], [0.0, 1.5]], 0.0);
     let triangle = [[0.3, 0.3], [0.9, 0.4], [0.5, 1.1]];
     let square = [[1.2, 0.5], [1.7, 0.5], [1.7, 1.0], [1.2, 1.0]];
@@ -173,10 +175,14 @@ fn pierced_room() -> Vec<Arc<dyn Surface>> {
 
 fn box_with_balls() -> Vec<Arc<dyn Surface>> {
     let walls = faces(DVec3::ZERO, [3.0 * DVec3::X, 3.0 * DVec3::Y, 2.0 * DVec3::Z]);
-    let mut all: Vec<Arc<dyn Surface>> = walls.into_iter().map(|own| Arc::new(own) as Arc<dyn Surface>).collect();
+    let mut all: Vec<Arc<dyn Surface>> =
+        walls.into_iter().map(|own| Arc::new(own) as Arc<dyn Surface>).collect();
     all.push(Arc::new(ball(DVec3::new(1.0, 1.0, 0.9), 0.5)));
     all.push(Arc::new(ball(DVec3::new(2.0, 2.0, 0.6), 0.6)));
-    all.push(Arc::new(Torus::new(DVec3::new(2.0, 1.0, 1.4), DVec3::new(1.0, 0.0, 1.0), 0.4, 0.1, FULL_TURN, FULL_TURN).expect("a torus")));
+    all.push(Arc::new(
+        Torus::new(DVec3::new(2.0, 1.0, 1.4), DVec3::new(1.0, 0.0, 1.0), 0.4, 0.1, FULL_TURN, FULL_TURN)
+            .expect("a torus"),
+    ));
     all
 }
 

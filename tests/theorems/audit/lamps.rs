@@ -61,7 +61,12 @@ fn sensors(center: DVec3, radius: f64, front: DVec3, count: usize, seed: u64) ->
     found
 }
 
-fn of_points(name: &str, scene: Scene, points: Vec<(DVec3, DVec3)>, exact: impl Fn(DVec3, DVec3) -> f64) -> Trial {
+fn of_points(
+    name: &str,
+    scene: Scene,
+    points: Vec<(DVec3, DVec3)>,
+    exact: impl Fn(DVec3, DVec3) -> f64,
+) -> Trial {
     points.into_iter().fold(Trial::of(name, scene), |trial, (x, n)| trial.point(x, n, exact(x, n)))
 }
 
@@ -111,8 +116,11 @@ fn balls() -> Vec<Trial> {
         EXITANCE * radius * radius * n.dot(step) / step.length().powi(3)
     };
     let points = [DVec3::X, DVec3::Y, DVec3::Z, -DVec3::ONE];
-    let points =
-        points.into_iter().zip(0..).flat_map(|(front, seed)| sensors(center, radius, front, 10, seed)).collect();
+    let points = points
+        .into_iter()
+        .zip(0..)
+        .flat_map(|(front, seed)| sensors(center, radius, front, 10, seed))
+        .collect();
     vec![of_points("ball", lamp(Arc::new(ball(center, radius))), points, exact)]
 }
 

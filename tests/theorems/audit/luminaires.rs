@@ -181,7 +181,9 @@ fn spots() -> Vec<Lamp> {
                 name: format!("exponent {exponent}"),
                 keys: format!("spot = {{ exponent = {exponent} }}\nintensity = {peak}\n"),
                 extent,
-                intensity: Box::new(move |[_, _, aim]| if aim > 0.0 { peak * aim.powf(exponent) } else { 0.0 }),
+                intensity: Box::new(
+                    move |[_, _, aim]| if aim > 0.0 { peak * aim.powf(exponent) } else { 0.0 },
+                ),
                 file: None,
             });
         }

@@ -68,7 +68,12 @@ const SEEN: [&str; 13] = [
 
 #[test]
 fn surfaces_and_cells_receive_their_means() {
-    let rects = [Rect::FULL, Rect { u: [-1.0, -0.2], v: [-0.4, 1.0] }, Rect { u: [-0.1, 1.0], v: [-0.2, 1.0] }, Rect { u: [-0.5, 0.7], v: [-1.0, 0.3] }];
+    let rects = [
+        Rect::FULL,
+        Rect { u: [-1.0, -0.2], v: [-0.4, 1.0] },
+        Rect { u: [-0.1, 1.0], v: [-0.2, 1.0] },
+        Rect { u: [-0.5, 0.7], v: [-1.0, 0.3] },
+    ];
     let mut trials = Vec::new();
     for exhibit in gallery().into_iter().filter(|own| SEEN.contains(&own.name)) {
         let shape: Arc<dyn Surface> = Arc::from(exhibit.surface);
@@ -93,13 +98,15 @@ fn pixels_show_what_their_surface_reflects() {
     let corner = DVec3::new(-2.0, -2.0, 0.0);
     let shape = radiosity_test_support::shapes::wall(corner, 4.0 * DVec3::X, 4.0 * DVec3::Y);
     let scene = lit(shape, 0.6, source);
-    let camera = Camera { width: 24, height: 16, fov: 40.0, ..Camera::new(DVec3::new(2.0, -1.0, 2.0), DVec3::ZERO) };
+    let camera =
+        Camera { width: 24, height: 16, fov: 40.0, ..Camera::new(DVec3::new(2.0, -1.0, 2.0), DVec3::ZERO) };
     let view = (camera.target - camera.eye).normalize();
     let right = view.cross(DVec3::Z).normalize();
     let up = right.cross(view);
     let side = 2.0 * 20.0_f64.to_radians().tan() / 16.0;
     let mut trial = Trial::of("pixels", scene);
-    let seen = Camera { eye: camera.eye - trial.scene.middle, target: camera.target - trial.scene.middle, ..camera };
+    let seen =
+        Camera { eye: camera.eye - trial.scene.middle, target: camera.target - trial.scene.middle, ..camera };
     for row in 3..13 {
         for column in 6..18 {
             const PARTS: usize = 30;

@@ -70,7 +70,8 @@ impl Outside {
             Model::Overcast => (1.0 + 2.0 * cosine) / 3.0,
             Model::Clear => {
                 let chi = self.sun.map_or(0.0, |(sun, _)| from.dot(sun).clamp(-1.0, 1.0).acos());
-                let near = 1.0 + 10.0 * ((-3.0 * chi).exp() - (-3.0 * FRAC_PI_2).exp()) + 0.45 * chi.cos().powi(2);
+                let near =
+                    1.0 + 10.0 * ((-3.0 * chi).exp() - (-3.0 * FRAC_PI_2).exp()) + 0.45 * chi.cos().powi(2);
                 near * (1.0 - (-0.32 / cosine).exp())
             }
         }
@@ -90,7 +91,9 @@ impl Outside {
             format!("sun = {{ elevation = 40, azimuth = 150, illuminance = {beam:?} }}\n")
         });
         let up = self.up.to_array();
-        format!("[sky]\nmodel = \"{model}\"\nilluminance = {LEVEL:?}\nground = {GROUND:?}\nup = {up:?}\n{sun}")
+        format!(
+            "[sky]\nmodel = \"{model}\"\nilluminance = {LEVEL:?}\nground = {GROUND:?}\nup = {up:?}\n{sun}"
+        )
     }
 }
 
@@ -181,14 +184,19 @@ impl Window {
         let far = (self.corner - point).dot(front) / sun.dot(front);
         let place = point + far * sun - self.corner;
         let part = |side: DVec3| place.dot(side) / side.length_squared();
-        let is_seen = leaving > 0.0 && far > 0.0 && [self.a, self.b].iter().all(|own| (0.0..1.0).contains(&part(*own)));
+        let is_seen =
+            leaving > 0.0 && far > 0.0 && [self.a, self.b].iter().all(|own| (0.0..1.0).contains(&part(*own)));
         if is_seen { beam * self.through(leaving) * normal.dot(sun).max(0.0) } else { 0.0 }
     }
 
     /// A window of perpendicular sides, alone.
     fn scene(&self, sky: &Outside) -> radiosity::Scene {
         let [corner, a, b] = [self.corner, self.a, self.b].map(|own| own.to_array());
-        let pane = if self.has_glass { "glass = { panes = 2, index = 1.5, transmittance = 0.7 }" } else { "opening = true" };
+        let pane = if self.has_glass {
+            "glass = { panes = 2, index = 1.5, transmittance = 0.7 }"
+        } else {
+            "opening = true"
+        };
         typed(&format!(
             "bands = [\"lm\"]\n{}\n[materials.pane]\nreflectance = 0\n[[surfaces]]\nname = \"window\"\n\
              material = \"pane\"\n{pane}\nparallelogram = {{ origin = {corner:?}, edge1 = {a:?}, edge2 = {b:?} }}\n",
@@ -215,10 +223,16 @@ fn trial(model: Model, up: DVec3, beam: f64, window: Window, seed: u64) -> Trial
 #[test]
 fn windows_give_what_their_skies_send() {
     // A window to the south, its front to the north; a skylight; one that leans.
-    let south = |has_glass| Window { corner: DVec3::new(-1.0, 0.0, 0.8), a: 1.5 * DVec3::Z, b: 2.0 * DVec3::X, has_glass };
+    let south = |has_glass| Window {
+        corner: DVec3::new(-1.0, 0.0, 0.8),
+        a: 1.5 * DVec3::Z,
+        b: 2.0 * DVec3::X,
+        has_glass,
+    };
     let roof = |has_glass| Window { corner: DVec3::new(-1.0, 0.0, 3.0), a: DVec3::Y, b: DVec3::X, has_glass };
     let slope = DVec3::new(0.0, -0.6, 0.8);
-    let leaning = |has_glass| Window { corner: DVec3::new(-1.0, 1.0, 1.0), a: slope, b: 1.3 * DVec3::X, has_glass };
+    let leaning =
+        |has_glass| Window { corner: DVec3::new(-1.0, 1.0, 1.0), a: slope, b: 1.3 * DVec3::X, has_glass };
     let mut trials = Vec::new();
     for model in [Model::Uniform, Model::Overcast, Model::Clear] {
         for window in [south(false), south(true), roof(false), roof(true), leaning(true)] {
@@ -236,13 +250,16 @@ fn windows_give_what_their_skies_send() {
 #[test]
 fn a_horizon_that_is_not_cut_is_found() {
     let sky = Outside::of(Model::Overcast, DVec3::Z, 0.0);
-    let window = Window { corner: DVec3::new(-1.0, 0.0, 0.8), a: 1.5 * DVec3::Z, b: 2.0 * DVec3::X, has_glass: false };
+    let window =
+        Window { corner: DVec3::new(-1.0, 0.0, 0.8), a: 1.5 * DVec3::Z, b: 2.0 * DVec3::X, has_glass: false };
     let trial = Trial::of("horizon", window.scene(&sky));
     let normal = window.front();
     let points: Vec<DVec3> = (0..64)
         .map(|k| DVec3::new(f64::from(k % 8) * 0.3 - 1.0, 0.0, 1.2 + f64::from(k / 8) * 0.1) + 2.0 * normal)
         .collect();
-    let trial = points.iter().fold(trial, |own, point| own.point(*point, -normal, window.irradiance(&sky, *point, -normal)));
+    let trial = points
+        .iter()
+        .fold(trial, |own, point| own.point(*point, -normal, window.irradiance(&sky, *point, -normal)));
     let verdict = |printed: &dyn Fn(usize) -> f64| {
         let judge = |(k, estimate)| Judged {
             printed: vec![printed(k)],
@@ -258,7 +275,8 @@ fn a_horizon_that_is_not_cut_is_found() {
     assert!(!right.finds(0.0), "{right:?}");
     let uncut = |k: usize| window.uncut(&sky, points[k], -normal);
     let off = |k: usize| (uncut(k) - trial.exact[k][0]).powi(2);
-    let true_error = ((0..64).map(off).sum::<f64>() / trial.exact.iter().map(|own| own[0] * own[0]).sum::<f64>()).sqrt();
+    let true_error =
+        ((0..64).map(off).sum::<f64>() / trial.exact.iter().map(|own| own[0] * own[0]).sum::<f64>()).sqrt();
     let wrong = verdict(&uncut);
     assert!(wrong.finds(0.0) && wrong.exceeds(0.0), "{wrong:?}");
     assert!((wrong.error() - true_error).abs() < 0.1 * true_error, "{} {true_error}", wrong.error());

@@ -95,7 +95,14 @@ polygon = { vertices = [[1, 1, 0.75], [3, 1, 0.75], [3, 2.5, 0.75], [1, 2.5, 0.7
 "#;
     let mut trial = Trial::of("rims", typed(text));
     for step in [1e-4, 1e-6, 1e-9, 0.0] {
-        for [x, y] in [[1.5 - step, 1.75], [1.5 + step, 1.75], [1.7, 1.5 - step], [2.0 + step, 2.0 + step], [1.0 - step, 2.0], [3.0 + step, 1.0 - step]] {
+        for [x, y] in [
+            [1.5 - step, 1.75],
+            [1.5 + step, 1.75],
+            [1.7, 1.5 - step],
+            [2.0 + step, 2.0 + step],
+            [1.0 - step, 2.0],
+            [3.0 + step, 1.0 - step],
+        ] {
             for normal in [DVec3::Z, -DVec3::Z, DVec3::X, DVec3::new(1.0, 0.5, 0.17)] {
                 trial = trial.point(DVec3::new(x, y, 0.75), normal, 3.0);
             }

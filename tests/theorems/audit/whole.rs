@@ -138,7 +138,8 @@ fn groups_sum_to_the_whole_and_are_what_they_are_alone() {
     }
     let mut pairs = Vec::new();
     for (group, name) in GROUPS.into_iter().enumerate() {
-        let others: Vec<(&str, f64)> = GROUPS.into_iter().filter(|own| *own != name).map(|own| (own, 0.0)).collect();
+        let others: Vec<(&str, f64)> =
+            GROUPS.into_iter().filter(|own| *own != name).map(|own| (own, 0.0)).collect();
         let dimmed = whole.dimmed(&others).unwrap_or_else(|error| panic!("{error}"));
         let alone = estimates(&dimmed, &spots, 10 + group as u64);
         let group = referee.groups().iter().position(|own| own.as_deref() == Some(name)).expect("a group");
