@@ -8,7 +8,8 @@
 //!
 //! In order: draws (`random`, `lattice`), bands that walk together (`spectrum`), what rays meet (`rays`), points
 //! spread over surfaces (`spread`), what surfaces send (`skin`, `groups`, `lamps`, `suns`, `sheets`), walks
-//! (`walk`), what is read (`spot`), how much of it (`effort`), the [`Referee`], and its [`Verdict`].
+//! (`walk`), what is read (`spot`, `sample`), how much of it (`effort`), the [`Referee`], its [`Verdict`], and the
+//! second look at what stands out (`second_look`).
 //!
 //! Imports `geom`, `scene` and `work`.
 
@@ -28,6 +29,7 @@ mod sample;
 mod effort;
 mod referee;
 mod verdict;
+mod second_look;
 
 pub use effort::Effort;
 pub use referee::{Estimate, Mean, Referee};

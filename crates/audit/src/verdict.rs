@@ -77,8 +77,10 @@ pub struct Verdict {
 /// A mean of signed differences, printed less true.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct SignedMean {
-    /// Name of the surface, the plane or the light group.
+    /// Name of the surface or the plane; `group NAME` of a light group.
     pub of: String,
+    /// Whether it is of a light group, over all readings.
+    pub is_group: bool,
     /// Readings that it is a mean of.
     pub readings: usize,
     /// The mean difference over the mean of what is true.
@@ -107,8 +109,14 @@ pub struct WorstReading {
 }
 
 impl Verdict {
-    /// The verdict on some readings, of which `worst` are named.
+    /// The verdict on some readings, of which `worst` are named; nothing is said of light groups.
     pub fn of(judged: &[Judged], worst: usize) -> Self {
+        Self::by_groups(judged, &[], worst)
+    }
+
+    /// The verdict on some readings, with signed means of the light groups of these names too, where their
+    /// light was printed.
+    pub(crate) fn by_groups(judged: &[Judged], groups: &[Option<String>], worst: usize) -> Self {
         let terms: Vec<Terms> = judged.iter().map(Terms::of).collect();
         let count = terms.len() as f64;
         let (above, below) = (sum(&terms, |own| own.above), sum(&terms, |own| own.below));
@@ -121,7 +129,7 @@ impl Verdict {
             by_chance: chance.sqrt() / below,
             readings: judged.len(),
             rays: judged.iter().map(|own| own.estimate.rays).sum(),
-            signed: signed_means(judged),
+            signed: signed_means(judged, groups),
             worst: worst_readings(judged, &terms, (below / count).max(0.0).sqrt(), worst),
         }
     }
@@ -144,7 +152,20 @@ impl Verdict {
     /// Whether the readings differ by more than chance from what is true and by more than `told`, the relative
     /// error that the run tells: in the L2 mean, in a signed mean, or in single readings.
     pub fn finds(&self, told: f64) -> bool {
-        self.exceeds(told) || self.signed.iter().any(|own| own.is_finding && own.exceeds(told))
+        self.exceeds(told) || self.signed.iter().any(|own| own.finds(told))
+    }
+
+    /// The readings, at most `most`, that make it find more than `told`, in order of what they differ by in
+    /// standard errors: of the classes whose signed means exceed it, or all where the L2 mean or the mean of a
+    /// light group does.
+    pub(crate) fn standing_out(&self, judged: &[Judged], told: f64, most: usize) -> Vec<usize> {
+        let found: Vec<&SignedMean> = self.signed.iter().filter(|own| own.finds(told)).collect();
+        let is_of_all = self.exceeds(told) || found.iter().any(|own| own.is_group);
+        let is_meant = |own: &Judged| is_of_all || found.iter().any(|class| class.of == own.class);
+        let scored = judged.iter().enumerate().filter(|(_, own)| is_meant(own));
+        let mut order: Vec<(usize, f64)> = scored.map(|(reading, own)| (reading, own.score())).collect();
+        order.sort_by(|a, b| b.1.total_cmp(&a.1).then(a.0.cmp(&b.0)));
+        order.into_iter().take(most).map(|(reading, _)| reading).collect()
     }
 
     /// Whether the error in the L2 mean exceeds `told` by more than chance.
@@ -153,10 +174,22 @@ impl Verdict {
     }
 }
 
+impl Judged {
+    /// The largest difference of its bands over its standard error.
+    fn score(&self) -> f64 {
+        let pairs = self.printed.iter().zip(&self.estimate.bands);
+        let scores = pairs.map(|(printed, mean)| {
+            let difference = (printed - mean.value).abs();
+            if difference > 0.0 { difference / mean.error } else { 0.0 }
+        });
+        scores.fold(0.0, f64::max)
+    }
+}
+
 impl SignedMean {
-    /// Whether it exceeds `told` by more than chance.
-    fn exceeds(&self, told: f64) -> bool {
-        self.relative.abs() - told > FINDING * self.error
+    /// Whether it is a finding that exceeds `told` by more than chance.
+    fn finds(&self, told: f64) -> bool {
+        self.is_finding && self.relative.abs() - told > FINDING * self.error
     }
 
     /// The mean over its standard error.
@@ -193,20 +226,39 @@ fn sum(terms: &[Terms], value: impl Fn(&Terms) -> f64) -> f64 {
 }
 
 /// Means of signed differences by class and by light group, those that exceed chance most first.
-fn signed_means(judged: &[Judged]) -> Vec<SignedMean> {
-    let mut classes: BTreeMap<&str, Differences> = BTreeMap::new();
+fn signed_means(judged: &[Judged], groups: &[Option<String>]) -> Vec<SignedMean> {
+    let mut classes: BTreeMap<Class<'_>, Differences> = BTreeMap::new();
     for own in judged {
-        let sums = classes.entry(&own.class).or_default();
-        own.printed.iter().zip(&own.estimate.bands).for_each(|(printed, mean)| sums.add(*printed, mean));
-        sums.readings += 1;
+        classes.entry(Class::Named(&own.class)).or_default().add(&own.printed, &own.estimate.bands);
+        for ((group, printed), means) in groups.iter().zip(&own.printed_groups).zip(&own.estimate.groups) {
+            classes.entry(Class::Group(group.as_deref())).or_default().add(printed, means);
+        }
     }
     let mut all: Vec<SignedMean> =
-        classes.into_iter().filter_map(|(name, sums)| sums.mean(name.to_owned())).collect();
+        classes.into_iter().filter_map(|(class, sums)| sums.mean(&class)).collect();
     let chosen_from = all.len();
     let threshold = threshold(chosen_from);
     all.iter_mut().for_each(|own| own.is_finding = own.score() > threshold);
     all.sort_by(|a, b| b.score().total_cmp(&a.score()).then_with(|| a.of.cmp(&b.of)));
     all
+}
+
+/// What a signed mean is of.
+#[derive(PartialEq, Eq, PartialOrd, Ord)]
+enum Class<'a> {
+    /// A surface or a plane.
+    Named(&'a str),
+    /// A light group, or the light of no group.
+    Group(Option<&'a str>),
+}
+
+impl Class<'_> {
+    fn name(&self) -> String {
+        match self {
+            Self::Named(name) => (*name).to_owned(),
+            Self::Group(name) => format!("group {}", name.unwrap_or("(none)")),
+        }
+    }
 }
 
 /// Sums over the readings of a class.
@@ -220,16 +272,19 @@ struct Differences {
 }
 
 impl Differences {
-    fn add(&mut self, printed: f64, mean: &Mean) {
-        self.difference += printed - mean.value;
-        self.variance += mean.error * mean.error;
-        self.found += mean.value;
+    /// Adds a reading, all bands of it.
+    fn add(&mut self, printed: &[f64], means: &[Mean]) {
+        self.difference += printed.iter().zip(means).map(|(printed, mean)| printed - mean.value).sum::<f64>();
+        self.variance += means.iter().map(|mean| mean.error).sum::<f64>().powi(2);
+        self.found += means.iter().map(|mean| mean.value).sum::<f64>();
+        self.readings += 1;
     }
 
-    fn mean(self, of: String) -> Option<SignedMean> {
+    fn mean(self, class: &Class<'_>) -> Option<SignedMean> {
         let is_told = self.found > 0.0 && self.variance > 0.0;
         is_told.then(|| SignedMean {
-            of,
+            of: class.name(),
+            is_group: matches!(class, Class::Group(_)),
             readings: self.readings,
             relative: self.difference / self.found,
             error: self.variance.sqrt() / self.found,
