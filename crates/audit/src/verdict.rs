@@ -139,6 +139,11 @@ impl Verdict {
         self.squared.max(0.0).sqrt()
     }
 
+    /// The standard error of [`Verdict::error`]: the step to [`Verdict::bound`].
+    pub fn error_sd(&self) -> f64 {
+        self.bound() - self.error()
+    }
+
     /// The least relative error that would have been seen, √(3 SE₀).
     pub fn visible(&self) -> f64 {
         (FINDING * self.by_chance).sqrt()
@@ -187,14 +192,19 @@ impl Judged {
 }
 
 impl SignedMean {
+    /// The mean over its standard error, with its sign.
+    pub fn in_errors(&self) -> f64 {
+        self.relative / self.error
+    }
+
     /// Whether it is a finding that exceeds `told` by more than chance.
-    fn finds(&self, told: f64) -> bool {
+    pub fn finds(&self, told: f64) -> bool {
         self.is_finding && self.relative.abs() - told > FINDING * self.error
     }
 
     /// The mean over its standard error.
     fn score(&self) -> f64 {
-        self.relative.abs() / self.error
+        self.in_errors().abs()
     }
 }
 

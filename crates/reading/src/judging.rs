@@ -4,6 +4,8 @@
 //! as [`probe`](crate::probe::probe) reads it, and light group by light group where the solution keeps these
 //! apart; the [`Referee`] knows nothing of the solution.
 
+use std::fmt;
+
 use radiosity_audit::{Effort, Judged, Referee, Spot, Verdict};
 use radiosity_scene::Scene;
 use radiosity_solve::solution::Solution;
@@ -11,8 +13,10 @@ use radiosity_solve::solution::group_light::GroupLight;
 use radiosity_solve::solved::Solved;
 use radiosity_work::Work;
 
+use crate::digits::significant;
 use crate::probe::{Probe, probe_each};
 use crate::quality::ReadSettings;
+use crate::reader::ReadMode;
 
 /// Part of the readings that are points of surfaces where there are planes. Chosen: planes are asked for, and
 /// surfaces send them their light.
@@ -96,6 +100,52 @@ impl JudgedRun {
     }
 }
 
+/// The verdict in a line.
+impl fmt::Display for JudgedRun {
+    fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
+        let percent = |part: f64| significant(100.0 * part, 2);
+        let verdict = &self.verdict;
+        write!(to, "checked at {} readings by path tracing: ", verdict.readings)?;
+        match verdict.exceeds(0.0) {
+            true => write!(to, "off by {} % (± {} %)", percent(verdict.error()), percent(verdict.error_sd())),
+            false => write!(to, "no error above {} % seen", percent(verdict.visible())),
+        }
+    }
+}
+
+impl JudgedReading {
+    /// Printed less found over found, all bands together.
+    pub fn difference(&self) -> f64 {
+        self.difference_of_sums() / self.found()
+    }
+
+    /// Printed less found in standard errors, all bands together: bands of one walk err together.
+    pub fn in_errors(&self) -> f64 {
+        let difference = self.difference_of_sums();
+        let error: f64 = self.judged.estimate.bands.iter().map(|mean| mean.error).sum();
+        if difference == 0.0 { 0.0 } else { difference / error }
+    }
+
+    /// What was found, all bands together (W m⁻²).
+    pub fn found(&self) -> f64 {
+        self.judged.estimate.bands.iter().map(|mean| mean.value).sum()
+    }
+
+    /// Printed less found, all bands together (W m⁻²).
+    pub fn difference_of_sums(&self) -> f64 {
+        self.judged.printed.iter().sum::<f64>() - self.found()
+    }
+}
+
+/// The relative error that a solution read with `settings` tells: the largest of the accuracies of its
+/// transfers and of recomputed light, of the error that rays leave, and of its estimate.
+pub fn told(solved: &Solved, settings: &ReadSettings) -> f64 {
+    let reading = if settings.read == ReadMode::Basis { 0.0 } else { settings.eps };
+    let by_rays = solved.outcome.sampling.and_then(|sampling| sampling.error);
+    let estimate = solved.achieved.and_then(|achieved| achieved.estimate);
+    [by_rays, estimate].into_iter().flatten().fold(solved.options.eps.max(reading), f64::max)
+}
+
 impl Place {
     fn spot(&self, scene: &Scene) -> Spot {
         Spot::Point { position: self.probe.position - scene.middle, normal: self.probe.normal }
@@ -114,14 +164,14 @@ fn places(scene: &Scene, referee: &Referee, judging: &Judging) -> Vec<Place> {
         Some(Place { probe, class: scene.surfaces[point.surface].name.clone() })
     });
     let mut all: Vec<Place> = on_surfaces.collect();
-    let on_planes = scene.planes.iter().flat_map(|plane| {
-        Probe::of_plane(plane).map(|probe| Place { probe, class: plane.name().to_owned() })
-    });
-    all.extend(evenly(on_planes, sensors, of_planes, judging.seed));
+    let on_planes =
+        scene.planes.iter().flat_map(|plane| Probe::of_plane(plane).map(move |probe| (plane, probe)));
+    let chosen = evenly(on_planes, sensors, of_planes, judging.seed);
+    all.extend(chosen.map(|(plane, probe)| Place { probe, class: plane.name().to_owned() }));
     all
 }
 
-/// So many of `count` items, one of each part of equal length.
+/// About `wanted` of `count` items, one of each part of equal length.
 fn evenly<T>(
     items: impl Iterator<Item = T>,
     count: usize,
@@ -136,7 +186,7 @@ fn evenly<T>(
     };
     let mut next = 0;
     items.enumerate().filter_map(move |(number, item)| {
-        let is_next = next < wanted && number == place(next);
+        let is_next = next < wanted && number >= place(next);
         next += usize::from(is_next);
         is_next.then_some(item)
     })
