@@ -87,6 +87,8 @@ pub struct SignedMean {
     pub relative: f64,
     /// Its standard error, by chance alone.
     pub error: f64,
+    /// What is true in the mean over the L2 mean of all readings, 1 at the most; 1 for a light group.
+    pub brightness: f64,
     /// Whether it exceeds chance.
     pub is_finding: bool,
 }
@@ -129,7 +131,7 @@ impl Verdict {
             by_chance: chance.sqrt() / below,
             readings: judged.len(),
             rays: judged.iter().map(|own| own.estimate.rays).sum(),
-            signed: signed_means(judged, groups),
+            signed: signed_means(judged, groups, below),
             worst: worst_readings(judged, &terms, (below / count).max(0.0).sqrt(), worst),
         }
     }
@@ -197,9 +199,10 @@ impl SignedMean {
         self.relative / self.error
     }
 
-    /// Whether it is a finding that exceeds `told` by more than chance.
+    /// Whether it is a finding that exceeds `told` by more than chance. An error that is told is one of the L2
+    /// mean: of what is darker than this, the difference counts as a part of that.
     pub fn finds(&self, told: f64) -> bool {
-        self.is_finding && self.relative.abs() - told > FINDING * self.error
+        self.is_finding && self.brightness * (self.relative.abs() - FINDING * self.error) > told
     }
 
     /// The mean over its standard error.
@@ -235,8 +238,11 @@ fn sum(terms: &[Terms], value: impl Fn(&Terms) -> f64) -> f64 {
     terms.iter().map(value).sum()
 }
 
-/// Means of signed differences by class and by light group, those that exceed chance most first.
-fn signed_means(judged: &[Judged], groups: &[Option<String>]) -> Vec<SignedMean> {
+/// Means of signed differences by class and by light group, those that exceed chance most first; `squares` is
+/// the sum of the squares of what is true.
+fn signed_means(judged: &[Judged], groups: &[Option<String>], squares: f64) -> Vec<SignedMean> {
+    let numbers: usize = judged.iter().map(|own| own.printed.len()).sum();
+    let mean = (squares.max(0.0) / numbers as f64).sqrt();
     let mut classes: BTreeMap<Class<'_>, Differences> = BTreeMap::new();
     for own in judged {
         classes.entry(Class::Named(&own.class)).or_default().add(&own.printed, &own.estimate.bands);
@@ -245,7 +251,7 @@ fn signed_means(judged: &[Judged], groups: &[Option<String>]) -> Vec<SignedMean>
         }
     }
     let mut all: Vec<SignedMean> =
-        classes.into_iter().filter_map(|(class, sums)| sums.mean(&class)).collect();
+        classes.into_iter().filter_map(|(class, sums)| sums.mean(&class, mean)).collect();
     let chosen_from = all.len();
     let threshold = threshold(chosen_from);
     all.iter_mut().for_each(|own| own.is_finding = own.score() > threshold);
@@ -275,6 +281,8 @@ impl Class<'_> {
 #[derive(Default)]
 struct Differences {
     readings: usize,
+    /// Readings times bands.
+    numbers: usize,
     difference: f64,
     /// Sum of standard errors of the bands of each reading, squared: bands err together.
     variance: f64,
@@ -288,16 +296,21 @@ impl Differences {
         self.variance += means.iter().map(|mean| mean.error).sum::<f64>().powi(2);
         self.found += means.iter().map(|mean| mean.value).sum::<f64>();
         self.readings += 1;
+        self.numbers += means.len();
     }
 
-    fn mean(self, class: &Class<'_>) -> Option<SignedMean> {
+    /// The mean of a class; `all` is the L2 mean of all readings.
+    fn mean(self, class: &Class<'_>, all: f64) -> Option<SignedMean> {
         let is_told = self.found > 0.0 && self.variance > 0.0;
+        let is_group = matches!(class, Class::Group(_));
+        let brightness = if is_group { 1.0 } else { (self.found / (self.numbers as f64 * all)).min(1.0) };
         is_told.then(|| SignedMean {
             of: class.name(),
-            is_group: matches!(class, Class::Group(_)),
+            is_group,
             readings: self.readings,
             relative: self.difference / self.found,
             error: self.variance.sqrt() / self.found,
+            brightness,
             is_finding: false,
         })
     }

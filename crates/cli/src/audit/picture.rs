@@ -30,8 +30,8 @@ const LARGE: f64 = 3.0;
 #[derive(Debug, Args)]
 #[command(next_help_heading = "Picture")]
 pub(crate) struct MarkArgs {
-    /// Picture of the scene in grey through its camera, each reading a disk in the colour of its difference,
-    /// large from three standard errors on, .png
+    /// Picture of the scene in grey through its camera, each reading a disk, or a ring where something hides
+    /// it, in the colour of its difference, large from three standard errors on, .png
     #[arg(long, value_name = "FILE")]
     pub(crate) picture: Option<PathBuf>,
 
@@ -79,7 +79,11 @@ impl MarkPicture {
         let scale = Scale::diverging(round_above(largest.max(f64::MIN_POSITIVE)));
         let taken = MarkedPicture::of(scene, solved.visibility(), &self.camera, &marks, &scale, ranks);
         let title = ["difference", "% of mean"].map(str::to_owned).to_vec();
-        let note = vec![format!("{} of {} seen", taken.seen, marks.len()), "large: 3 s".to_owned()];
+        let note = vec![
+            format!("disks: {} seen", taken.seen),
+            format!("rings: {} hidden", taken.hidden),
+            "large: 3 s".to_owned(),
+        ];
         Legend { scale: &scale, title, note, levels: Vec::new() }.beside(&taken.picture)
     }
 }

@@ -81,7 +81,7 @@ fn percent(part: f64) -> String {
 
 fn worst(scene: &Scene, run: &JudgedRun) -> Table<'static> {
     let columns = ["of", "band"].map(Column::text).to_vec();
-    let numbers = ["x", "y", "z", "printed", "found", "±", "difference %", "in ±", ""];
+    let numbers = ["x", "y", "z", "printed", "found", "s", "difference %", "in s", ""];
     let columns = [columns, numbers.map(|head| Column::numbers(head, "")).to_vec()].concat();
     let rows = run.verdict.worst.iter().map(|own| {
         let difference = own.printed - own.found.value;
@@ -105,7 +105,7 @@ fn worst(scene: &Scene, run: &JudgedRun) -> Table<'static> {
 
 fn signed(run: &JudgedRun) -> Table<'static> {
     let columns = ["of"].map(Column::text).to_vec();
-    let numbers = ["readings", "difference %", "± %", "in ±", ""];
+    let numbers = ["readings", "difference %", "s %", "in s", ""];
     let columns = [columns, numbers.map(|head| Column::numbers(head, "")).to_vec()].concat();
     let shown = run.verdict.signed.iter().enumerate().filter(|(rank, own)| *rank < SIGNED || own.is_finding);
     let rows = shown.map(|(_, own)| {

@@ -1,7 +1,9 @@
 //! Marks on a view: values at points, as disks over the scene in grey.
 //!
 //! Surfaces are as bright as the cosine c between a ray and their normal, ⅓ + ½ c, backs dark, all else white. A
-//! disk has the colour of its value; points that the camera does not see have none.
+//! disk has the colour of its value; points that something hides are rings.
+
+use std::f64::consts::TAU;
 
 use radiosity_geom::{DVec3, Ray};
 use radiosity_reading::pictures::pinhole::Pinhole;
@@ -11,13 +13,21 @@ use radiosity_work::ranks::{PartName, Ranks};
 
 use crate::drawings::picture::{Colour, Picture};
 use crate::drawings::scale::Scale;
+use crate::drawings::stroke::Stroke;
 
 /// Camera rays along each side of a pixel. Chosen.
 const SAMPLES: u32 = 3;
 
-/// Radius of a disk over the height of the picture, and of its rim (pixels). Chosen.
-const RADIUS: f64 = 0.012;
-const RIM: f64 = 1.5;
+/// Radius of a disk over the height of the picture. Chosen.
+const RADIUS: f64 = 0.016;
+
+/// Least radius, breadth of the rim and breadth of a ring (pixels). Chosen.
+const LEAST: f64 = 2.0;
+const RIM: f64 = 1.0;
+const RING: f64 = 2.0;
+
+/// Corners of a ring.
+const CORNERS: usize = 48;
 
 /// Radius of marks that count less, over that of the others. Chosen: half, a quarter of the area.
 const LESSER: f64 = 0.5;
@@ -43,8 +53,10 @@ pub struct Mark {
 pub struct MarkedPicture {
     /// The picture.
     pub picture: Picture,
-    /// Marks whose points the camera sees.
+    /// Marks in it whose points the camera sees.
     pub seen: usize,
+    /// Marks in it whose points something hides.
+    pub hidden: usize,
 }
 
 impl MarkedPicture {
@@ -61,27 +73,52 @@ impl MarkedPicture {
         let mut picture = grey(scene, visibility, camera, &view, ranks);
         let mut order: Vec<&Mark> = marks.iter().collect();
         order.sort_by(|a, b| a.value.abs().total_cmp(&b.value.abs()));
-        let mut seen = 0;
-        for mark in order {
-            if let Some(place) = place(visibility, camera, &view, mark.position) {
+        let is_seen = |mark: &&Mark| {
+            let direction = mark.position - camera.eye;
+            let towards = Ray { origin: camera.eye, direction, range: [0.0, 1.0 - BEFORE] };
+            visibility.nearest(&towards).is_none()
+        };
+        let (seen, hidden): (Vec<&Mark>, Vec<&Mark>) = order.into_iter().partition(is_seen);
+        let mut drawn = [0; 2];
+        for (kind, marks) in [hidden, seen].into_iter().enumerate() {
+            for mark in marks {
+                let Some(place) = place(camera, &view, mark.position) else { continue };
                 let factor = if mark.is_large { 1.0 } else { LESSER };
-                let radius = (factor * RADIUS * f64::from(camera.height)).max(2.0);
-                picture.disk(place, radius + RIM, INK);
-                picture.disk(place, radius, scale.colour(mark.value));
-                seen += 1;
+                let radius = (factor * RADIUS * f64::from(camera.height)).max(LEAST);
+                let draw = [ring, disk][kind];
+                draw(&mut picture, place, radius, scale.colour(mark.value));
+                drawn[kind] += 1;
             }
         }
-        Self { picture, seen }
+        let [hidden, seen] = drawn;
+        Self { picture, seen, hidden }
     }
 }
 
-/// Where in the picture a point is seen (pixels), if it is.
-fn place(visibility: &Visibility, camera: &Camera, view: &Pinhole, point: DVec3) -> Option<[f64; 2]> {
+/// The place of a point in the picture (pixels), if it is in it.
+fn place(camera: &Camera, view: &Pinhole, point: DVec3) -> Option<[f64; 2]> {
     let place @ [x, y] = view.place(point)?;
     let is_inside =
         (0.0..f64::from(camera.width)).contains(&x) && (0.0..f64::from(camera.height)).contains(&y);
-    let towards = Ray { origin: camera.eye, direction: point - camera.eye, range: [0.0, 1.0 - BEFORE] };
-    (is_inside && visibility.nearest(&towards).is_none()).then_some(place)
+    is_inside.then_some(place)
+}
+
+fn disk(picture: &mut Picture, place: [f64; 2], radius: f64, colour: Colour) {
+    picture.disk(place, radius + RIM, INK);
+    picture.disk(place, radius, colour);
+}
+
+fn ring(picture: &mut Picture, place: [f64; 2], radius: f64, colour: Colour) {
+    let corner = |k: usize| {
+        let (sine, cosine) = (TAU * k as f64 / CORNERS as f64).sin_cos();
+        [place[0] + radius * cosine, place[1] + radius * sine]
+    };
+    let around: Vec<[f64; 2]> = (0..=CORNERS).map(corner).collect();
+    for (breadth, colour) in [(RING + 2.0 * RIM, INK), (RING, colour)] {
+        let mut stroke = Stroke::new(picture.size());
+        stroke.line(&around, breadth);
+        stroke.draw(picture, colour, 1.0);
+    }
 }
 
 /// The scene in grey.
