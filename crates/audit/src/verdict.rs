@@ -342,3 +342,51 @@ fn worst_readings(judged: &[Judged], terms: &[Terms], mean: f64, count: usize) -
     };
     order.iter().take(count).filter_map(named).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A reading of two bands and two light groups that was printed so, where 2 was found of each group and band.
+    fn reading(class: &str, printed: [[f64; 2]; 2]) -> Judged {
+        let mean = |value: f64| Mean { value, error: 0.01 * value };
+        Judged {
+            printed: vec![printed[0][0] + printed[1][0], printed[0][1] + printed[1][1]],
+            printed_groups: printed.iter().map(|group| group.to_vec()).collect(),
+            estimate: Estimate { bands: vec![mean(4.0); 2], groups: vec![vec![mean(2.0); 2]; 2], rays: 1 },
+            weight: 1.0,
+            class: class.to_owned(),
+        }
+    }
+
+    /// In one group half of the light is missing, in the other nothing.
+    #[test]
+    fn light_groups_have_means_of_their_own() {
+        let judged: Vec<Judged> = (0..8).map(|_| reading("wall", [[2.0; 2], [1.0; 2]])).collect();
+        let verdict = Verdict::by_groups(&judged, &[None, Some("lamps".to_owned())], 0);
+        let of = |name: &str| verdict.signed.iter().find(|own| own.of == name).expect("it is there");
+        assert!((of("wall").relative + 0.25).abs() < 1e-12);
+        assert!((of("group lamps").relative + 0.5).abs() < 1e-12);
+        assert_eq!(of("group (none)").relative, 0.0);
+        assert_eq!(verdict.signed[0].of, "group lamps", "it exceeds chance most");
+        // The bands of a reading err together, its 8 readings do not: 2 · 0.02 √8 over 8 · 2 · 2.
+        assert!((of("group lamps").error - 2.0 * 0.02 * 8f64.sqrt() / 32.0).abs() < 1e-12);
+        assert!(verdict.signed.iter().filter(|own| own.is_group).count() == 2);
+    }
+
+    /// A surface on which a thousandth of the mean arrives is off by its half: for a run that tells one percent of
+    /// the mean that is no finding, for one that tells nothing it is.
+    #[test]
+    fn what_is_dark_counts_as_a_part_of_the_mean() {
+        let mut judged: Vec<Judged> = (0..8).map(|_| reading("wall", [[2.0; 2]; 2])).collect();
+        let mut dark = reading("dark", [[0.0; 2]; 2]);
+        dark.printed = vec![0.002; 2];
+        dark.printed_groups.clear();
+        dark.estimate.bands = vec![Mean { value: 0.004, error: 1e-5 }; 2];
+        judged.push(dark);
+        let verdict = Verdict::of(&judged, 0);
+        assert_eq!(verdict.signed[0].of, "dark");
+        assert!(verdict.signed[0].finds(0.0) && verdict.finds(0.0));
+        assert!(!verdict.finds(0.01));
+    }
+}

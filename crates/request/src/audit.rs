@@ -29,7 +29,7 @@ pub struct AuditRequest {
     pub readings: Option<Readings>,
 
     /// Chooses other places and other rays [default: 0]
-    #[cfg_attr(feature = "clap", arg(long, value_name = "K"))]
+    #[cfg_attr(feature = "clap", arg(long, value_name = "K", allow_negative_numbers = true))]
     pub seed: Option<u64>,
 }
 
