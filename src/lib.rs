@@ -7,11 +7,11 @@
 //! This crate passes on those that do the work, each with a module here; each imports only what is listed
 //! before it: [`work`] (interruption, ranks, progress, deadlines, sentences of messages) → [`fit`] (rounded
 //! shapes made to agree) → [`photometry`] → [`formats`] (scenes of other programs) → [`scene`] (the
-//! model) → [`language`] (its texts) → [`visibility`] → [`elements`] → [`kernel`] (integrals over
-//! pairs) → [`transport`] (all blocks) → [`light`] (direct, first bounce) → [`published`] (methods of four
-//! papers) → [`mod@solve`] (systems, solutions, the driver, animation) → [`reading`] (of solutions) → [`heat`]
-//! → `output` (by a feature) → [`request`] (what is typed, checked). Below them stand [`geom`], [`solvers`]
-//! and `radiosity-core`. Terms and places: `docs/glossary.md`; derivations: `docs/theory/`; the picture:
+//! model) → [`language`] (its texts) → [`audit`] (a referee by path tracing) → [`visibility`] → [`elements`] →
+//! [`kernel`] (integrals over pairs) → [`transport`] (all blocks) → [`light`] (direct, first bounce) →
+//! [`published`] (methods of four papers) → [`mod@solve`] (systems, solutions, the driver, animation) →
+//! [`reading`] (of solutions) → [`heat`] → `output` (by a feature) → [`request`] (what is typed, checked).
+//! Below them stand [`geom`], [`solvers`] and `radiosity-core`. Terms and places: `docs/glossary.md`; derivations: `docs/theory/`; the picture:
 //! `docs/architecture.md`.
 //!
 //! Lux at a point of a room, in ten lines:

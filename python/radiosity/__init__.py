@@ -12,6 +12,7 @@ lm/m². Arrays are of NumPy's float64.
 
 from . import options
 from ._radiosity import Error, RadiosityWarning, __version__, builtins
+from .audit import Audit, audit
 from .files import load, load_solution
 from .heat import Heat
 from .light import Light
@@ -22,6 +23,7 @@ from .stage import Frame, Stage
 from .view_factors import ViewFactors, view_factor, view_factors
 
 __all__ = [
+    "Audit",
     "Error",
     "Frame",
     "Heat",
@@ -33,6 +35,7 @@ __all__ = [
     "Stage",
     "ViewFactors",
     "__version__",
+    "audit",
     "builtins",
     "load",
     "load_solution",

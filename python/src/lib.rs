@@ -19,6 +19,7 @@ mod plane;
 mod picture;
 mod light;
 mod solution;
+mod audit;
 mod solve;
 mod stage;
 
@@ -31,6 +32,8 @@ mod _radiosity {
     #[allow(non_upper_case_globals, reason = "the name that Python expects")]
     const __version__: &str = env!("CARGO_PKG_VERSION");
 
+    #[pymodule_export]
+    use super::audit::{Audit, audit_of};
     #[pymodule_export]
     use super::core::_core;
     #[pymodule_export]

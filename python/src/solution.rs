@@ -22,11 +22,11 @@ use crate::work::work;
 /// A scene with its solution.
 #[pyclass(frozen, module = "radiosity._radiosity")]
 pub(crate) struct Solution {
-    solved: Arc<Solved>,
+    pub(crate) solved: Arc<Solved>,
     /// Method of the solution; the usual one where the solution was read from a file.
-    method: MethodRequest,
+    pub(crate) method: MethodRequest,
     /// Whether the solution was read from a file.
-    is_saved: bool,
+    pub(crate) is_saved: bool,
     report: Report,
     /// The report in JSON, made when it is first asked for.
     told: OnceLock<String>,

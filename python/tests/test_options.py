@@ -28,6 +28,7 @@ CASES = {
         LIGHT - {"keep_partial"} | set(options.Picture.__annotations__) | {"size"},
         {"importance", "exposure", "false_colour", "difference", "wireframe", *STYLE - {"show", "size"}},
     ),
+    "audit": (LIGHT - {"keep_partial"} | set(options.Auditing.__annotations__), {"picture", "size"}),
     "heat": (SCENE | set(options.HeatMethod.__annotations__), {"picture", *STYLE}),
     "view-factors": (SCENE | set(options.Transfers.__annotations__) | {"pairs", "sparse"}, set()),
 }
@@ -45,5 +46,5 @@ def test_help_lists_every_option():
     shown = pydoc.plaintext.document(radiosity.options)
     listed = set(re.findall(r"^     \|  (\w+): ", shown, re.MULTILINE))
     groups = [group for group in vars(options).values() if hasattr(group, "__total__")]
-    assert len(groups) == 7
+    assert len(groups) == 8
     assert set().union(*(group.__annotations__ for group in groups)) <= listed

@@ -3,6 +3,7 @@
 
 mod analytic_cases;
 mod animate;
+mod audit;
 mod bad_input;
 mod behaviour;
 mod builtin;

@@ -8,8 +8,9 @@
 //!
 //! In order: draws (`random`, `lattice`), bands that walk together (`spectrum`), what rays meet (`rays`), points
 //! spread over surfaces (`spread`), what surfaces send (`skin`, `groups`, `lamps`, `suns`, `sheets`), walks
-//! (`walk`), what is read (`spot`), how much of it (`effort`), the [`Referee`] of light, those
-//! of heat ([`HeatReferee`]) and of view factors ([`ViewFactorReferee`]), and the [`Verdict`] on printed numbers.
+//! (`walk`), what is read (`spot`, `sample`), how much of it (`effort`), the [`Referee`] of light, those of heat
+//! ([`HeatReferee`]) and of view factors ([`ViewFactorReferee`]), the [`Verdict`] on printed numbers, and the second
+//! look at what stands out (`second_look`).
 //!
 //! Imports `geom`, `work` and `scene`.
 
@@ -31,6 +32,7 @@ mod referee;
 mod heat;
 mod view_factors;
 mod verdict;
+mod second_look;
 
 pub use effort::Effort;
 pub use heat::{HeatEstimate, HeatFault, HeatReferee};

@@ -84,8 +84,10 @@ pub struct Verdict {
 /// A mean of signed differences, printed less true.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct SignedMean {
-    /// Name of the surface, the plane or the light group.
+    /// Name of the surface or the plane; `group NAME` of a light group.
     pub of: String,
+    /// Whether it is of a light group, over all readings.
+    pub is_group: bool,
     /// Readings that it is a mean of.
     pub readings: usize,
     /// The mean difference over the mean of what is true.
@@ -94,6 +96,8 @@ pub struct SignedMean {
     pub error: f64,
     /// Degrees of freedom of that error.
     pub freedom: f64,
+    /// What is true in the mean over the L2 mean of all readings, 1 at the most; 1 for a light group.
+    pub brightness: f64,
     /// Whether it exceeds chance.
     pub is_finding: bool,
 }
@@ -116,24 +120,31 @@ pub struct WorstReading {
 }
 
 impl Verdict {
-    /// The verdict on some readings, of which `worst` are named.
+    /// The verdict on some readings, of which `worst` are named; nothing is said of light groups.
     pub fn of(judged: &[Judged], worst: usize) -> Self {
+        Self::by_groups(judged, &[], worst)
+    }
+
+    /// The verdict on some readings, with signed means of the light groups of these names too, where their
+    /// light was printed.
+    pub(crate) fn by_groups(judged: &[Judged], groups: &[Option<String>], worst: usize) -> Self {
         let terms: Vec<Terms> = judged.iter().map(Terms::of).collect();
         let count = terms.len() as f64;
-        let (above, below) = (sum(&terms, |own| own.above), sum(&terms, |own| own.below));
-        let squared = above / below;
+        // Where all is dark, whatever is printed is infinitely off.
+        let below = sum(&terms, |own| own.below).max(f64::MIN_POSITIVE);
+        let squared = sum(&terms, |own| own.above) / below;
         let spread = sum(&terms, |own| (own.above - squared * own.below).powi(2));
         let chance = sum(&terms, |own| own.chance_squared);
         let noise = sum(&terms, |own| own.noise);
         Self {
             squared,
-            squared_error: (spread * count / (count - 1.0)).sqrt() / below,
+            squared_error: (spread * count / (count - 1.0).max(1.0)).sqrt() / below,
             by_chance: chance.sqrt() / below,
             noise_squared: noise / below,
             equal_readings: noise * noise / sum(&terms, |own| own.noise * own.noise),
             readings: judged.len(),
             rays: judged.iter().map(|own| own.estimate.rays).sum(),
-            signed: signed_means(judged),
+            signed: signed_means(judged, groups, below),
             worst: worst_readings(judged, &terms, (below / count).max(0.0).sqrt(), worst),
         }
     }
@@ -141,6 +152,11 @@ impl Verdict {
     /// The relative error in the L2 mean: √err², 0 where that is negative.
     pub fn error(&self) -> f64 {
         self.squared.max(0.0).sqrt()
+    }
+
+    /// The standard error of [`Verdict::error`]: the step to [`Verdict::bound`].
+    pub fn error_sd(&self) -> f64 {
+        self.bound() - self.error()
     }
 
     /// The least relative error that would have been seen, √(3 SE₀).
@@ -156,25 +172,61 @@ impl Verdict {
     /// Whether the readings differ by more than chance from what is true and by more than `told`, the relative
     /// error that the run tells: in the L2 mean, in a signed mean, or in single readings.
     pub fn finds(&self, told: f64) -> bool {
-        self.exceeds(told) || self.signed.iter().any(|own| own.is_finding && own.exceeds(told))
+        self.exceeds(told) || self.signed.iter().any(|own| own.finds(told))
+    }
+
+    /// The readings, at most `most`, that make it find more than `told`, in order of what they differ by in
+    /// standard errors: of the classes whose signed means exceed it, or all where the L2 mean or the mean of a
+    /// light group does.
+    pub(crate) fn standing_out(&self, judged: &[Judged], told: f64, most: usize) -> Vec<usize> {
+        let found: Vec<&SignedMean> = self.signed.iter().filter(|own| own.finds(told)).collect();
+        let is_of_all = self.exceeds(told) || found.iter().any(|own| own.is_group);
+        let is_meant = |own: &Judged| is_of_all || found.iter().any(|class| class.of == own.class);
+        let scored = judged.iter().enumerate().filter(|(_, own)| is_meant(own));
+        let mut order: Vec<(usize, f64)> = scored.map(|(reading, own)| (reading, own.score())).collect();
+        order.sort_by(|a, b| b.1.total_cmp(&a.1).then(a.0.cmp(&b.0)));
+        order.into_iter().take(most).map(|(reading, _)| reading).collect()
     }
 
     /// Whether the error in the L2 mean exceeds `told` by more than chance.
     pub fn exceeds(&self, told: f64) -> bool {
-        let ratio = 1.0 + (self.squared - told * told) / self.noise_squared;
+        let above = self.squared - told * told;
+        if self.noise_squared <= 0.0 {
+            return above > 0.0;
+        }
+        let ratio = 1.0 + above / self.noise_squared;
         normal_of_ratio(ratio, self.equal_readings, FREEDOM * self.equal_readings) > FINDING
     }
 }
 
+impl Judged {
+    /// The largest difference of its bands over its standard error.
+    fn score(&self) -> f64 {
+        let pairs = self.printed.iter().zip(&self.estimate.bands);
+        let scores = pairs.map(|(printed, mean)| {
+            let difference = (printed - mean.value).abs();
+            if difference > 0.0 { difference / mean.error } else { 0.0 }
+        });
+        scores.fold(0.0, f64::max)
+    }
+}
+
 impl SignedMean {
-    /// Whether it exceeds `told` by more than chance.
-    fn exceeds(&self, told: f64) -> bool {
-        normal_of_student((self.relative.abs() - told) / self.error, self.freedom) > FINDING
+    /// The mean over its standard error, with its sign.
+    pub fn in_errors(&self) -> f64 {
+        self.relative / self.error
+    }
+
+    /// Whether it is a finding that exceeds `told` by more than chance. An error that is told is one of the L2
+    /// mean: of what is darker than this, the difference counts as a part of that.
+    pub fn finds(&self, told: f64) -> bool {
+        let above = (self.relative.abs() - told / self.brightness) / self.error;
+        self.is_finding && normal_of_student(above, self.freedom) > FINDING
     }
 
     /// The mean over its standard error, as of a normal number that is as seldom.
     fn score(&self) -> f64 {
-        normal_of_student(self.relative.abs() / self.error, self.freedom)
+        normal_of_student(self.in_errors().abs(), self.freedom)
     }
 }
 
@@ -208,15 +260,20 @@ fn sum(terms: &[Terms], value: impl Fn(&Terms) -> f64) -> f64 {
     terms.iter().map(value).sum()
 }
 
-/// Means of signed differences by class and by light group, those that exceed chance most first.
-fn signed_means(judged: &[Judged]) -> Vec<SignedMean> {
-    let mut classes: BTreeMap<&str, Differences> = BTreeMap::new();
+/// Means of signed differences by class and by light group, those that exceed chance most first; `squares` is
+/// the sum of the squares of what is true.
+fn signed_means(judged: &[Judged], groups: &[Option<String>], squares: f64) -> Vec<SignedMean> {
+    let numbers: usize = judged.iter().map(|own| own.printed.len()).sum();
+    let mean = (squares.max(0.0) / numbers as f64).sqrt();
+    let mut classes: BTreeMap<Class<'_>, Differences> = BTreeMap::new();
     for own in judged {
-        let sums = classes.entry(&own.class).or_default();
-        sums.add(own);
+        classes.entry(Class::Named(&own.class)).or_default().add(&own.printed, &own.estimate.bands);
+        for ((group, printed), means) in groups.iter().zip(&own.printed_groups).zip(&own.estimate.groups) {
+            classes.entry(Class::Group(group.as_deref())).or_default().add(printed, means);
+        }
     }
     let mut all: Vec<SignedMean> =
-        classes.into_iter().filter_map(|(name, sums)| sums.mean(name.to_owned())).collect();
+        classes.into_iter().filter_map(|(class, sums)| sums.mean(&class, mean)).collect();
     let chosen_from = all.len();
     let threshold = threshold(chosen_from);
     all.iter_mut().for_each(|own| own.is_finding = own.score() > threshold);
@@ -224,10 +281,30 @@ fn signed_means(judged: &[Judged]) -> Vec<SignedMean> {
     all
 }
 
+/// What a signed mean is of.
+#[derive(PartialEq, Eq, PartialOrd, Ord)]
+enum Class<'a> {
+    /// A surface or a plane.
+    Named(&'a str),
+    /// A light group, or the light of no group.
+    Group(Option<&'a str>),
+}
+
+impl Class<'_> {
+    fn name(&self) -> String {
+        match self {
+            Self::Named(name) => (*name).to_owned(),
+            Self::Group(name) => format!("group {}", name.unwrap_or("(none)")),
+        }
+    }
+}
+
 /// Sums over the readings of a class.
 #[derive(Default)]
 struct Differences {
     readings: usize,
+    /// Readings times bands.
+    numbers: usize,
     difference: f64,
     variance: f64,
     /// Sum of squares of the readings' variances.
@@ -236,27 +313,31 @@ struct Differences {
 }
 
 impl Differences {
-    fn add(&mut self, judged: &Judged) {
+    /// Adds a reading, all bands of it.
+    fn add(&mut self, printed: &[f64], means: &[Mean]) {
         // Bands of one walk err together: their standard errors add up, not the squares of them.
-        let mut error = 0.0;
-        for (printed, mean) in judged.printed.iter().zip(&judged.estimate.bands) {
-            self.difference += printed - mean.value;
-            self.found += mean.value;
-            error += mean.error;
-        }
+        let error: f64 = means.iter().map(|mean| mean.error).sum();
+        self.difference += printed.iter().zip(means).map(|(printed, mean)| printed - mean.value).sum::<f64>();
+        self.found += means.iter().map(|mean| mean.value).sum::<f64>();
         self.variance += error * error;
         self.fourth += error.powi(4);
         self.readings += 1;
+        self.numbers += means.len();
     }
 
-    fn mean(self, of: String) -> Option<SignedMean> {
+    /// The mean of a class; `all` is the L2 mean of all readings.
+    fn mean(self, class: &Class<'_>, all: f64) -> Option<SignedMean> {
         let is_told = self.found > 0.0 && self.variance > 0.0;
+        let is_group = matches!(class, Class::Group(_));
+        let brightness = if is_group { 1.0 } else { (self.found / (self.numbers as f64 * all)).min(1.0) };
         is_told.then(|| SignedMean {
-            of,
+            of: class.name(),
+            is_group,
             readings: self.readings,
             relative: self.difference / self.found,
             error: self.variance.sqrt() / self.found,
             freedom: FREEDOM * self.variance * self.variance / self.fourth,
+            brightness,
             is_finding: false,
         })
     }
@@ -302,4 +383,52 @@ fn worst_readings(judged: &[Judged], terms: &[Terms], mean: f64, count: usize) -
         Some(WorstReading { reading: *reading, of: own.class.clone(), band, printed, found, is_outlier })
     };
     order.iter().take(count).filter_map(named).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A reading of two bands and two light groups that was printed so, where 2 was found of each group and band.
+    fn reading(class: &str, printed: [[f64; 2]; 2]) -> Judged {
+        let mean = |value: f64| Mean { value, error: 0.01 * value };
+        Judged {
+            printed: vec![printed[0][0] + printed[1][0], printed[0][1] + printed[1][1]],
+            printed_groups: printed.iter().map(|group| group.to_vec()).collect(),
+            estimate: Estimate { bands: vec![mean(4.0); 2], groups: vec![vec![mean(2.0); 2]; 2], rays: 1 },
+            weight: 1.0,
+            class: class.to_owned(),
+        }
+    }
+
+    /// In one group half of the light is missing, in the other nothing.
+    #[test]
+    fn light_groups_have_means_of_their_own() {
+        let judged: Vec<Judged> = (0..8).map(|_| reading("wall", [[2.0; 2], [1.0; 2]])).collect();
+        let verdict = Verdict::by_groups(&judged, &[None, Some("lamps".to_owned())], 0);
+        let of = |name: &str| verdict.signed.iter().find(|own| own.of == name).expect("it is there");
+        assert!((of("wall").relative + 0.25).abs() < 1e-12);
+        assert!((of("group lamps").relative + 0.5).abs() < 1e-12);
+        assert_eq!(of("group (none)").relative, 0.0);
+        assert_eq!(verdict.signed[0].of, "group lamps", "it exceeds chance most");
+        // The bands of a reading err together, its 8 readings do not: 2 · 0.02 √8 over 8 · 2 · 2.
+        assert!((of("group lamps").error - 2.0 * 0.02 * 8f64.sqrt() / 32.0).abs() < 1e-12);
+        assert!(verdict.signed.iter().filter(|own| own.is_group).count() == 2);
+    }
+
+    /// A surface on which a thousandth of the mean arrives is off by its half: for a run that tells one percent of
+    /// the mean that is no finding, for one that tells nothing it is.
+    #[test]
+    fn what_is_dark_counts_as_a_part_of_the_mean() {
+        let mut judged: Vec<Judged> = (0..8).map(|_| reading("wall", [[2.0; 2]; 2])).collect();
+        let mut dark = reading("dark", [[0.0; 2]; 2]);
+        dark.printed = vec![0.002; 2];
+        dark.printed_groups.clear();
+        dark.estimate.bands = vec![Mean { value: 0.004, error: 1e-5 }; 2];
+        judged.push(dark);
+        let verdict = Verdict::of(&judged, 0);
+        assert_eq!(verdict.signed[0].of, "dark");
+        assert!(verdict.signed[0].finds(0.0) && verdict.finds(0.0));
+        assert!(!verdict.finds(0.01));
+    }
 }

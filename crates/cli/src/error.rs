@@ -75,6 +75,12 @@ pub(crate) enum CliError {
         /// Estimated relative error.
         estimate: Option<f64>,
     },
+    /// A strict referee found more than the run tells; all was written.
+    #[error("the light is off by more than the {:.1e} that the run tells; what there is was written", told)]
+    FoundMore {
+        /// The relative error that is told.
+        told: f64,
+    },
     /// A strict check found something.
     #[error("{count} of the findings look wrong")]
     LooksWrong {
@@ -163,7 +169,8 @@ impl CliError {
         )
     }
 
-    /// 2 if the command line or a file has to be changed, 3 if an accuracy was not reached, else 1. A closed
+    /// 2 if the command line or a file has to be changed, 3 if an accuracy was not reached or a referee found more than
+    /// is told, else 1. A closed
     /// pipe on standard output is no error, nor is a wish for help.
     pub(crate) fn exit_code(&self) -> u8 {
         match self {
@@ -188,7 +195,7 @@ impl CliError {
             ) => 2,
             CliError::Frame { cause, .. } => cause.exit_code(),
             CliError::Stdout(error) if error.kind() == io::ErrorKind::BrokenPipe => 0,
-            CliError::Missed { .. } => 3,
+            CliError::Missed { .. } | CliError::FoundMore { .. } => 3,
             CliError::LooksWrong { .. }
             | CliError::Partial { .. }
             | CliError::Stopped { .. }
@@ -226,6 +233,7 @@ impl CliError {
             CliError::Typed(_)
             | CliError::LooksWrong { .. }
             | CliError::Missed { .. }
+            | CliError::FoundMore { .. }
             | CliError::Relight(RelightError::NotApart)
             | CliError::Partial { .. }
             | CliError::Stopped { .. }

@@ -4,13 +4,13 @@
 //! share (`checkpoint` to `options`, the masks, planes and colours among them); `forecast`, `destination` and
 //! `progress` of long work; `loaded` (a scene as it was read) and `run` (the scene solved, for every verb that
 //! needs light), and what verbs read from and print to (`read` to `plan`); the verbs, from `grid`, `probe`,
-//! `solve` and `relight` over `render`, `animate`, `convergence`, `check`, `scenes`, `schema` and `convert` to
+//! `audit`, `solve` and `relight` over `render`, `animate`, `convergence`, `check`, `scenes`, `schema` and `convert` to
 //! `view_factors`, `heat` and `report`; `rounds` and `processes` (ranks that MPI connects), and `launch` (one
 //! process, or several ranks).
 //!
 //! The only noun outside is [`launch`], which the binary calls.
 //!
-//! Imports `geom`, `solvers`, `work`, `formats`, `scene`, `language`, `visibility`, `elements`, `kernel`,
+//! Imports `geom`, `solvers`, `work`, `formats`, `scene`, `language`, `audit`, `visibility`, `elements`, `kernel`,
 //! `transport`, `published`, `solve`, `reading`, `heat`, `output` and `request`.
 
 mod console;
@@ -40,6 +40,7 @@ mod data;
 mod plan;
 mod grid;
 mod probe;
+mod audit;
 mod solve;
 mod relight;
 mod style;
@@ -86,6 +87,7 @@ Examples:
   radiosity probe room.toml --points p.csv    irradiance at your points x,y,z,nx,ny,nz
   radiosity probe room.toml --plane desk      irradiance on a plane of sensors, with mean, least and uniformity U0
   radiosity grid empty-box --cells 8x8        mean irradiance of every cell, as CSV
+  radiosity audit room.toml                   its light judged by path tracing: off by how much, and where
   radiosity view-factors room.toml            the share of each surface's light that reaches each other, as CSV
   radiosity heat oven                         temperatures and flows of radiant heat
   radiosity report room.toml -o room.html     a report for people: picture, planes, surfaces, checks, settings
@@ -120,6 +122,7 @@ enum Verb {
     Animate(animate::AnimateArgs),
     Probe(probe::ProbeArgs),
     Grid(grid::GridArgs),
+    Audit(audit::AuditArgs),
     Convergence(convergence::ConvergenceArgs),
     ViewFactors(view_factors::ViewFactorsArgs),
     Heat(heat::HeatArgs),
@@ -174,6 +177,11 @@ impl Cli {
                 let loaded = Loaded::readable(&args.scene, &self.fixing, ranks)?;
                 let ranks = args.run.recording(given, &loaded.inputs(), None, ranks)?;
                 grid::run(args, loaded, &ranks)
+            }
+            Verb::Audit(args) => {
+                let loaded = Loaded::readable(&args.scene, &self.fixing, ranks)?;
+                let ranks = args.run.recording(given, &loaded.inputs(), None, ranks)?;
+                audit::run(args, loaded, &ranks)
             }
             Verb::Convergence(args) => convergence::run(args, &Loaded::lit(&args.scene, ranks)?, ranks),
             Verb::ViewFactors(args) => view_factors::run(args, given, ranks),

@@ -4,6 +4,7 @@ pub mod document;
 pub mod viewer;
 pub mod plan_page;
 pub mod heat;
+pub mod audit;
 pub mod html;
 pub mod markdown;
 pub mod report_page;

@@ -1,7 +1,9 @@
-//! Pictures in pixels: tones and colours, wireframes, and triangles for programs that draw them.
+//! Pictures in pixels: tones and colours, wireframes, triangles for programs that draw them, and marks at
+//! points.
 
 pub mod tone;
 pub(crate) mod dither;
 pub mod image;
 pub mod tessellation;
 pub mod wireframe;
+pub mod marks;

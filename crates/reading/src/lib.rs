@@ -2,11 +2,12 @@
 //!
 //! In order: numbers as texts ([`digits`]), values on a grid of points ([`field`]), warnings, light at points
 //! and sensors ([`reader`], [`probe`], [`grid`], [`uniformity`], [`plane_figures`]) with its errors
-//! ([`read_error`], [`quality`]), the report of a run ([`report`], [`rank_work`], [`checkpoint`]), light of
-//! pixels and texels ([`pictures`]), and solutions in files ([`files`]: our own, and curved cells of VTK).
+//! ([`read_error`], [`quality`]) and what a referee says of it ([`judging`]), the report of a run ([`report`],
+//! [`rank_work`], [`checkpoint`]), light of pixels and texels ([`pictures`]), and solutions in files ([`files`]:
+//! our own, and curved cells of VTK).
 //!
-//! Imports `core`, `geom`, `solvers`, `work`, `scene`, `language`, `visibility`, `elements`, `kernel`,
-//! `transport`, `light`, `published` and `solve`.
+//! Imports `core`, `geom`, `solvers`, `work`, `scene`, `language`, `audit`, `visibility`, `elements`,
+//! `kernel`, `transport`, `light`, `published` and `solve`.
 
 pub mod digits;
 pub mod field;
@@ -20,6 +21,7 @@ pub mod probe;
 pub mod read_error;
 pub mod plane_figures;
 pub mod quality;
+pub mod judging;
 pub mod accuracy_warning;
 pub mod rank_work;
 pub mod checkpoint;

@@ -96,17 +96,28 @@ pub fn probe(
     middle: DVec3,
     work: &Work<'_>,
 ) -> Result<Vec<ProbeReading>, (usize, ProbeFault)> {
+    let found = probe_each(reader, probes, middle, work);
+    found.into_iter().enumerate().map(|(number, found)| found.map_err(|fault| (number, fault))).collect()
+}
+
+/// Reads every probe as [`probe`] does, with the fault of each that polynomials cannot answer.
+pub(crate) fn probe_each(
+    reader: &Reader,
+    probes: &[Probe],
+    middle: DVec3,
+    work: &Work<'_>,
+) -> Vec<Result<ProbeReading, ProbeFault>> {
     let done = AtomicUsize::new(0);
     let found = work.ranks.map_even(PartName::Points, probes.len(), TOGETHER, |number| {
         let found = read(reader, &probes[number], middle);
         work.report_done(Stage::Points, done.fetch_add(1, Ordering::Relaxed) + 1, probes.len());
         found
     });
-    let reading = |(number, found): (usize, Result<ProbeValues, ProbeFault>)| {
-        let ProbeValues { irradiance, deviation, on } = found.map_err(|fault| (number, fault))?;
-        Ok(ProbeReading { probe: probes[number], irradiance, deviation, on })
+    let reading = |(probe, found): (&Probe, Result<ProbeValues, ProbeFault>)| {
+        let ProbeValues { irradiance, deviation, on } = found?;
+        Ok(ProbeReading { probe: *probe, irradiance, deviation, on })
     };
-    found.into_iter().enumerate().map(reading).collect()
+    probes.iter().zip(found).map(reading).collect()
 }
 
 /// The values read at a probe, which ranks send each other.

@@ -6,11 +6,11 @@
 //!
 //! In order: [`Refusal`]; [`ranges`] (of numbers), `modes` (names of kernels, shadows, solvers), [`memory`]
 //! and [`aim`] (of an accuracy); [`MethodRequest`] and `conflicts` (how light is computed), [`ReadRequest`]
-//! (how it is read), [`TransferRequest`] and [`HeatRequest`], [`SceneRequest`] (which scene), [`picture`] and
-//! [`cells`] (what results need of memory).
+//! (how it is read), [`AuditRequest`] (how it is judged), [`TransferRequest`] and [`HeatRequest`],
+//! [`SceneRequest`] (which scene), [`picture`] and [`cells`] (what results need of memory).
 //!
-//! Imports `geom`, `solvers`, `work`, `formats`, `scene`, `language`, `visibility`, `elements`, `kernel`,
-//! `published`, `solve`, `reading` and `heat`.
+//! Imports `geom`, `solvers`, `work`, `formats`, `scene`, `language`, `audit`, `visibility`, `elements`,
+//! `kernel`, `published`, `solve`, `reading` and `heat`.
 
 mod refusal;
 pub mod ranges;
@@ -20,11 +20,13 @@ pub mod aim;
 mod method;
 mod conflicts;
 mod reading;
+mod audit;
 mod transfers;
 mod scene;
 pub mod picture;
 pub mod cells;
 
+pub use audit::AuditRequest;
 pub use conflicts::{KEPT, check_series, require_all_light};
 pub use method::MethodRequest;
 pub use modes::{Kernel, LightShadows};

@@ -48,6 +48,10 @@ pub type Pieces = WholeNumber<3, 1000>;
 /// Number of camera rays along a side of a pixel, or of points along a side of a cell.
 pub type Samples = WholeNumber<1, 64>;
 
+/// Number of readings that a referee judges: an error has no spread over fewer than two. Chosen: with the most,
+/// their walks take a minute at the least.
+pub type Readings = WholeNumber<2, 100_000>;
+
 /// Whole number from `LEAST` to `MOST`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct WholeNumber<const LEAST: u64, const MOST: u64>(u64);

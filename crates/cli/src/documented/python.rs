@@ -2,7 +2,7 @@
 
 use clap::builder::PossibleValue;
 use clap::{Arg, Args, Command};
-use radiosity_request::{HeatRequest, ImportRequest, MethodRequest, ReadRequest, TransferRequest};
+use radiosity_request::{AuditRequest, HeatRequest, ImportRequest, MethodRequest, ReadRequest, TransferRequest};
 
 use super::assert_made;
 use crate::grid::GridArgs;
@@ -114,6 +114,12 @@ fn classes() -> Vec<Class> {
             base: "Reading",
             about: "How means over cells are read: the options of `Reading`, and these.",
             options: together([of::<GridArgs>(&["read_samples"], ""), memory()]),
+        },
+        Class {
+            name: "Auditing",
+            base: "Reading",
+            about: "How light is judged: the options of `Reading`, by which it is read, and these.",
+            options: of::<AuditRequest>(&[], ""),
         },
         Class {
             name: "Picture",

@@ -64,7 +64,7 @@ impl Picture {
     }
 
     /// A disk.
-    pub(super) fn disk(&mut self, center: [f64; 2], radius: f64, colour: Colour) {
+    pub(crate) fn disk(&mut self, center: [f64; 2], radius: f64, colour: Colour) {
         let range = |k: usize| {
             let [low, high] = [center[k] - radius - 1.0, center[k] + radius + 1.0];
             low.floor() as i32..high.ceil() as i32

@@ -37,12 +37,47 @@ impl Pinhole {
         Ray { origin: self.eye, direction, range: [0.0, f64::INFINITY] }
     }
 
+    /// The place of a point in the picture, in pixels from its left upper corner; None behind the eye.
+    pub fn place(&self, point: DVec3) -> Option<[f64; 2]> {
+        // point − eye = s (corner + x right + y down), by Cramer's rule.
+        let to = point - self.eye;
+        let triple = |a: DVec3, b: DVec3, c: DVec3| a.dot(b.cross(c));
+        let depth = triple(to, self.right, self.down) / triple(self.corner, self.right, self.down);
+        let across = triple(self.corner, to, self.down) / triple(self.corner, self.right, self.down);
+        let below = triple(self.corner, self.right, to) / triple(self.corner, self.right, self.down);
+        (depth > 0.0).then(|| [across / depth, below / depth])
+    }
+
     /// Rays through `samples × samples` points of a regular grid over a pixel, counted from the left upper
     /// one.
-    pub(super) fn rays(&self, [column, row]: [u32; 2], samples: u32) -> impl Iterator<Item = Ray> {
+    pub fn rays(&self, [column, row]: [u32; 2], samples: u32) -> impl Iterator<Item = Ray> {
         let offset = move |k: u32| (f64::from(k) + 0.5) / f64::from(samples);
         (0..samples * samples).map(move |k| {
             self.ray(f64::from(column) + offset(k % samples), f64::from(row) + offset(k / samples))
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn points_along_a_ray_have_its_place() {
+        let camera = Camera {
+            eye: DVec3::new(3.0, -2.0, 1.0),
+            target: DVec3::new(0.5, 0.2, 0.7),
+            up: DVec3::Z,
+            fov: 50.0,
+            width: 320,
+            height: 200,
+        };
+        let view = Pinhole::new(&camera);
+        for wanted in [[0.0, 0.0], [160.0, 100.0], [317.5, 12.25]] {
+            let ray = view.ray(wanted[0], wanted[1]);
+            let place = view.place(ray.at(3.7)).expect("it lies before the eye");
+            assert!((place[0] - wanted[0]).abs() + (place[1] - wanted[1]).abs() < 1e-9, "{place:?}");
+            assert_eq!(view.place(ray.at(-0.1)), None);
+        }
     }
 }
