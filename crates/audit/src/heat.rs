@@ -7,16 +7,16 @@
 //! sheet of two sides, its flux known:   M = ε (level of the flux alone) ,   ρ = 1 − ε ,   ε leaves anywhere .
 //! ```
 //!
-//! What leaves the scene or meets the black back of a surface is lost to 0 K. Beside them the same walks carry
-//! light by which all of known temperature, the backs and the surroundings have the level 1, so that its
-//! irradiance U has the mean 1. With a level L₀ chosen beforehand
+//! What leaves the scene or meets the black back of a surface is lost to 0 K. Beside them the same walks
+//! carry light by which all of known temperature, the backs and the surroundings have the level 1, so that
+//! its irradiance U has the mean 1. With a level L₀ chosen beforehand
 //!
 //! ```text
 //! H̄ = L₀ + ⟨ H − L₀ U ⟩
 //! ```
 //!
-//! is unbiased, and without noise where all have the level L₀. It is the level of the surface that is judged, or
-//! else the mean of the known ones by absorbing area. Then
+//! is unbiased, and without noise where all have the level L₀. It is the level of the surface that is judged,
+//! or else the mean of the known ones by absorbing area. Then
 //!
 //! ```text
 //! T known:   q = ε (σ T⁴ − H̄) ;     q known:   σ T⁴ = H̄ + q/ε ;     flow  Q = q A ,
@@ -72,8 +72,8 @@ impl HeatReferee {
     /// The referee of the heat of a scene.
     ///
     /// # Errors
-    /// Surfaces that transmit, without a temperature or a flux, without an emissivity that is needed, or whose
-    /// heat can end nowhere.
+    /// Surfaces that transmit, without a temperature or a flux, without an emissivity that is needed, or
+    /// whose heat can end nowhere.
     pub fn of(scene: &Scene) -> Result<Self, HeatFault> {
         let roles = Roles::of(scene)?;
         let rays = Rays::of(scene);
@@ -87,8 +87,8 @@ impl HeatReferee {
         Ok(Self { groups: Groups::of(scene), mean_level: mean_level(&rays, &roles), sheets, rays, roles })
     }
 
-    /// The heat of these surfaces, by their indices in the scene, in order: the same on any number of threads and
-    /// ranks.
+    /// The heat of these surfaces, by their indices in the scene, in order: the same on any number of threads
+    /// and ranks.
     pub fn estimates(&self, surfaces: &[usize], effort: &Effort, work: &Work<'_>) -> Vec<HeatEstimate> {
         let mut asked: Vec<usize> = surfaces.iter().flat_map(|own| self.asked_for(*own)).collect();
         asked.sort_unstable();

@@ -8,8 +8,8 @@
 //!
 //! In order: draws (`random`, `lattice`), bands that walk together (`spectrum`), what rays meet (`rays`), points
 //! spread over surfaces (`spread`), what surfaces send (`skin`, `groups`, `lamps`, `suns`, `sheets`), walks
-//! (`walk`), what is read (`spot`), how much of it (`effort`), the [`Referee`] of light, those
-//! of heat ([`HeatReferee`]) and of view factors ([`ViewFactorReferee`]), and the [`Verdict`] on printed numbers.
+//! (`walk`), what is read (`spot`), how much of it (`effort`), the [`Referee`] of light, those of heat
+//! ([`HeatReferee`]) and of view factors ([`ViewFactorReferee`]), and the [`Verdict`] on printed numbers.
 //!
 //! Imports `geom`, `work` and `scene`.
 

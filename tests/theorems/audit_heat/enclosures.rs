@@ -97,8 +97,8 @@ fn a_room_of_one_temperature_is_at_rest_without_noise() {
 
 #[test]
 fn what_stands_on_a_sheet_takes_its_place() {
-    // Half of the upper side of a heated sheet lies under a cold block. Nothing arrives anywhere, so that with
-    // the flux per area of the bare front, A/2, q A/2 = ε A/2 σ T⁴ + ε A σ T⁴.
+    // Half of the upper side of a heated sheet lies under a cold block. Nothing arrives anywhere, so that
+    // with the flux per area of the bare front, A/2, q A/2 = ε A/2 σ T⁴ + ε A σ T⁴.
     let text = r#"
         materials.foil = { emissivity = 0.5 }
         materials.cold = { emissivity = 1, temperature = 0 }

@@ -1,8 +1,8 @@
 //! Whether means lie about what is exact as their errors tell.
 //!
-//! With eight moves of the lattice t = (M − exact)/s has Student's distribution of 7 degrees of freedom, and t²
-//! has F(1, 7): its mean is 7/5 and its variance 2 · 7² · 6 / (5² · 3) = 7.84. What is too large everywhere shows in
-//! the mean of t times the sign of what is exact, whose variance is 7/5 for each.
+//! With eight moves of the lattice t = (M − exact)/s has Student's distribution of 7 degrees of freedom, and
+//! t² has F(1, 7): its mean is 7/5 and its variance 2 · 7² · 6 / (5² · 3) = 7.84. What is too large
+//! everywhere shows in the mean of t times the sign of what is exact, whose variance is 7/5 for each.
 
 use radiosity::Work;
 use radiosity::audit::{Effort, HeatEstimate, HeatReferee, Mean};
