@@ -33,6 +33,7 @@ mod figures;
 
 use std::collections::BTreeMap;
 
+use radiosity_geom::Rect;
 use radiosity_scene::Scene;
 use radiosity_work::Work;
 
@@ -50,12 +51,16 @@ use crate::walk::Ground;
 
 pub use fault::HeatFault;
 pub use figures::HeatEstimate;
-use figures::{Irradiance, estimate};
+use figures::{Irradiance, estimate, flow};
 use parts::floating;
 use roles::{Role, Roles};
 
 /// Kinds of light that walks of heat carry: of the levels, and of the level 1.
 const KINDS: usize = 2;
+
+/// Width of both long margins of a surface together, over the distance by which rays start before it. Chosen:
+/// touching is looked for within two such distances, and walls at an angle of 14° rise to those within eight.
+const MARGIN: f64 = 16.0;
 
 /// A scene, whose heat is read by walks.
 #[derive(Debug)]
@@ -132,6 +137,13 @@ impl HeatReferee {
         }
     }
 
+    /// Part of a surface that lies beside what touches it.
+    fn margin(&self, surface: usize) -> f64 {
+        let bounds = self.rays.shape(surface).bounds(&Rect::FULL);
+        let length = (bounds.max - bounds.min).max_element();
+        MARGIN * self.rays.start() * length / self.rays.area(surface)
+    }
+
     fn estimate(&self, surface: usize, read: &BTreeMap<usize, &[Shift]>) -> HeatEstimate {
         let role = &self.roles.list[surface];
         let reference = match *role {
@@ -152,11 +164,12 @@ impl HeatReferee {
                 }
                 Role::Temperature { .. } | Role::Flux { .. } => 0.0,
             },
-            area: self.rays.area(surface) * read[&surface][k].bare,
+            bare: read[&surface][k].bare,
         };
         let all: Vec<Irradiance> = (0..Effort::SHIFTS).map(irradiance).collect();
         let rays = self.asked_for(surface).iter().flat_map(|own| read[own]).map(|own| own.rays).sum();
-        estimate(surface, role, &all, rays)
+        let flow = flow(role, &all, self.rays.area(surface), self.margin(surface));
+        HeatEstimate { rays, flow, ..estimate(surface, role, &all) }
     }
 }
 
