@@ -7,16 +7,16 @@
 //! sheet of two sides, its flux known:   M = ε (level of the flux alone) ,   ρ = 1 − ε ,   ε leaves anywhere .
 //! ```
 //!
-//! What leaves the scene or meets the black back of a surface is lost to 0 K. Beside them the same walks carry
-//! light by which all of known temperature, the backs and the surroundings have the level 1, so that its
-//! irradiance U has the mean 1. With a level L₀ chosen beforehand
+//! What leaves the scene or meets the black back of a surface is lost to 0 K. Beside them the same walks
+//! carry light by which all of known temperature, the backs and the surroundings have the level 1, so that
+//! its irradiance U has the mean 1. With a level L₀ chosen beforehand
 //!
 //! ```text
 //! H̄ = L₀ + ⟨ H − L₀ U ⟩
 //! ```
 //!
-//! is unbiased, and without noise where all have the level L₀. It is the level of the surface that is judged, or
-//! else the mean of the known ones by absorbing area. Then
+//! is unbiased, and without noise where all have the level L₀. It is the level of the surface that is judged,
+//! or else the mean of the known ones by absorbing area. Then
 //!
 //! ```text
 //! T known:   q = ε (σ T⁴ − H̄) ;     q known:   σ T⁴ = H̄ + q/ε ;     flow  Q = q A ,
@@ -33,6 +33,7 @@ mod figures;
 
 use std::collections::BTreeMap;
 
+use radiosity_geom::Rect;
 use radiosity_scene::Scene;
 use radiosity_work::Work;
 
@@ -50,12 +51,16 @@ use crate::walk::Ground;
 
 pub use fault::HeatFault;
 pub use figures::HeatEstimate;
-use figures::{Irradiance, estimate};
+use figures::{Irradiance, estimate, flow};
 use parts::floating;
 use roles::{Role, Roles};
 
 /// Kinds of light that walks of heat carry: of the levels, and of the level 1.
 const KINDS: usize = 2;
+
+/// Width of both long margins of a surface together, over the distance by which rays start before it. Chosen:
+/// touching is looked for within two such distances, and walls at an angle of 14° rise to those within eight.
+const MARGIN: f64 = 16.0;
 
 /// A scene, whose heat is read by walks.
 #[derive(Debug)]
@@ -72,8 +77,8 @@ impl HeatReferee {
     /// The referee of the heat of a scene.
     ///
     /// # Errors
-    /// Surfaces that transmit, without a temperature or a flux, without an emissivity that is needed, or whose
-    /// heat can end nowhere.
+    /// Surfaces that transmit, without a temperature or a flux, without an emissivity that is needed, or
+    /// whose heat can end nowhere.
     pub fn of(scene: &Scene) -> Result<Self, HeatFault> {
         let roles = Roles::of(scene)?;
         let rays = Rays::of(scene);
@@ -87,8 +92,8 @@ impl HeatReferee {
         Ok(Self { groups: Groups::of(scene), mean_level: mean_level(&rays, &roles), sheets, rays, roles })
     }
 
-    /// The heat of these surfaces, by their indices in the scene, in order: the same on any number of threads and
-    /// ranks.
+    /// The heat of these surfaces, by their indices in the scene, in order: the same on any number of threads
+    /// and ranks.
     pub fn estimates(&self, surfaces: &[usize], effort: &Effort, work: &Work<'_>) -> Vec<HeatEstimate> {
         let mut asked: Vec<usize> = surfaces.iter().flat_map(|own| self.asked_for(*own)).collect();
         asked.sort_unstable();
@@ -132,6 +137,13 @@ impl HeatReferee {
         }
     }
 
+    /// Part of a surface that lies beside what touches it.
+    fn margin(&self, surface: usize) -> f64 {
+        let bounds = self.rays.shape(surface).bounds(&Rect::FULL);
+        let length = (bounds.max - bounds.min).max_element();
+        MARGIN * self.rays.start() * length / self.rays.area(surface)
+    }
+
     fn estimate(&self, surface: usize, read: &BTreeMap<usize, &[Shift]>) -> HeatEstimate {
         let role = &self.roles.list[surface];
         let reference = match *role {
@@ -152,11 +164,12 @@ impl HeatReferee {
                 }
                 Role::Temperature { .. } | Role::Flux { .. } => 0.0,
             },
-            area: self.rays.area(surface) * read[&surface][k].bare,
+            bare: read[&surface][k].bare,
         };
         let all: Vec<Irradiance> = (0..Effort::SHIFTS).map(irradiance).collect();
         let rays = self.asked_for(surface).iter().flat_map(|own| read[own]).map(|own| own.rays).sum();
-        estimate(surface, role, &all, rays)
+        let flow = flow(role, &all, self.rays.area(surface), self.margin(surface));
+        HeatEstimate { rays, flow, ..estimate(surface, role, &all) }
     }
 }
 

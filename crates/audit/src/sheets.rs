@@ -1,14 +1,14 @@
 //! Sheets of even, unknown temperature: what their sides absorb leaves them anywhere.
 //!
-//! A two-sided surface that is given the flux q per area of its first side has one level σ T⁴ for both sides s,
-//! whose parts A_s exchange heat,
+//! A two-sided surface that is given the flux q per area of its first side has one level σ T⁴ for both sides
+//! s, whose parts A_s exchange heat,
 //!
 //! ```text
 //! Σ_s ε_s A_s (σ T⁴ − H̄_s) = q A_1 ,     σ T⁴ = q A_1 / Σ ε_s A_s + Σ_s ε_s A_s H̄_s / Σ ε_s A_s
 //! ```
 //!
-//! with the mean irradiances H̄ of its sides. So a walk that a side absorbs goes on from an even point of side
-//! s with the probability ε_s A_s / Σ ε A, where nothing stands on it.
+//! with the mean irradiances H̄ of its sides. So a walk that a side absorbs goes on from an even point of
+//! side s with the probability ε_s A_s / Σ ε A, where nothing stands on it.
 
 use radiosity_geom::Rect;
 
@@ -17,12 +17,12 @@ use crate::random::Random;
 use crate::rays::{Place, Rays};
 use crate::spread::{Spread, SpreadPoint};
 
-/// Tries to find a point that nothing stands on. Chosen: where a hundredth of a sheet is bare, 7 % of the walks
-/// that it absorbs would be lost, at a tenth one in 5 × 10¹¹.
+/// Tries to find a point that nothing stands on. Chosen: where a hundredth of a sheet is bare, 7 % of the
+/// walks that it absorbs would be lost, at a tenth one in 5 × 10¹¹.
 const TRIES: usize = 256;
 
-/// Points that tell how much of a side is bare, as a power of 2. Chosen: the part errs by some 10⁻³ where there
-/// is an edge, and it only matters to heated sheets that are partly covered.
+/// Points that tell how much of a side is bare, as a power of 2. Chosen: the part errs by some 10⁻³ where
+/// there is an edge, and it only matters to heated sheets that are partly covered.
 const BARE: u32 = 10;
 
 /// Stream of random numbers of these points.
@@ -46,7 +46,8 @@ impl Sheet {
         let spreads = sides.map(|side| Spread::over(rays.shape(side), Rect::FULL));
         let bare = [0, 1].map(|k| rays.area(sides[k]) * bare_part(rays, sides[k], &spreads[k]));
         let absorbing = [0, 1].map(|k| emissivities[k] * bare[k]);
-        let sum = absorbing[0] + absorbing[1];
+        // Sides that absorb nothing, or are covered whole, are never asked.
+        let sum = (absorbing[0] + absorbing[1]).max(f64::MIN_POSITIVE);
         Self { level: flux * bare[0] / sum, first: absorbing[0] / sum, sides, spreads }
     }
 

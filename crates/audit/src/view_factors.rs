@@ -4,8 +4,8 @@
 //! F_ij = ⟨ 1 where the ray meets j ⟩ ,   rays from even points of what nothing stands on, by the cosine
 //! ```
 //!
-//! Parts of n rays are multiples of 1/n. The moves of a lattice may all tell the nearest one, so that their spread
-//! is less than what they err by: the variance 1/(12 n²) of rounding is added to that of each move.
+//! Parts of n rays are multiples of 1/n. The moves of a lattice may all tell the nearest one, so that their
+//! spread is less than what they err by: the variance 1/(12 n²) of rounding is added to that of each move.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -69,8 +69,8 @@ impl ViewFactorReferee {
         Self { rays: Rays::of(scene) }
     }
 
-    /// The factors of these surfaces, by their indices in the scene, in order: the same on any number of threads
-    /// and ranks.
+    /// The factors of these surfaces, by their indices in the scene, in order: the same on any number of
+    /// threads and ranks.
     pub fn rows(&self, surfaces: &[usize], effort: &Effort, work: &Work<'_>) -> Vec<ViewFactorRow> {
         let starts: Vec<Start<'_>> =
             surfaces.iter().map(|surface| Start::of(&Spot::Surface(*surface), &self.rays)).collect();

@@ -33,8 +33,8 @@ use crate::skin::{Absorbed, Skin};
 use crate::spectrum::Spectrum;
 use crate::suns::Suns;
 
-/// Most vertices of a walk: a longer one is caught where nothing absorbs, and tells no number. Chosen: out of a
-/// hole of a ten-thousandth of a white cavity all but 10⁻¹¹ of the walks are shorter.
+/// Most vertices of a walk: a longer one is caught where nothing absorbs, and tells no number. Chosen: out of
+/// a hole of a ten-thousandth of a white cavity all but 10⁻¹¹ of the walks are shorter.
 const LONGEST: usize = 1 << 18;
 
 /// Draws that tell where a walk starts.

@@ -6,7 +6,7 @@ use radiosity::Work;
 use radiosity::audit::{Effort, HeatReferee, ViewFactorReferee};
 use radiosity_test_support::scenes::typed;
 
-use super::scored::{SEEN, Scored, heat, level, of};
+use super::scored::{SEEN, Scored, heat, heat_of, level, of};
 
 #[test]
 fn black_walls_of_a_can_exchange_by_view_factors() {
@@ -97,8 +97,8 @@ fn a_room_of_one_temperature_is_at_rest_without_noise() {
 
 #[test]
 fn what_stands_on_a_sheet_takes_its_place() {
-    // Half of the upper side of a heated sheet lies under a cold block. Nothing arrives anywhere, so that with
-    // the flux per area of the bare front, A/2, q A/2 = ε A/2 σ T⁴ + ε A σ T⁴.
+    // Half of the upper side of a heated sheet lies under a cold block. Nothing arrives anywhere, so that
+    // with the flux per area of the bare front, A/2, q A/2 = ε A/2 σ T⁴ + ε A σ T⁴.
     let text = r#"
         materials.foil = { emissivity = 0.5 }
         materials.cold = { emissivity = 1, temperature = 0 }
@@ -122,6 +122,28 @@ fn what_stands_on_a_sheet_takes_its_place() {
         assert!(off <= SEEN * side.flow.error + 2e-3 * flow, "{:?} for {flow}", side.flow);
         assert!(side.flow.error < 2e-2 * flow, "{:?}", side.flow);
     }
+}
+
+#[test]
+fn what_only_touches_a_surface_takes_no_part_of_it() {
+    // Within the acute corners of a long duct walls come as near as walks start.
+    let text = r#"
+        materials.cold = { emissivity = 0.5, temperature = 300 }
+        materials.hot = { emissivity = 0.8, heat_flux = 1000 }
+        [[surfaces]]
+        name = "floor"
+        material = "cold"
+        quad = { vertices = [[0,0,0],[1,0,0],[1,1000,0],[0,1000,0]] }
+        [[surfaces]]
+        name = "slope"
+        material = "hot"
+        quad = { vertices = [[0,0,0],[0,1000,0],[1,1000,0.5],[1,0,0.5]] }
+    "#;
+    let found = heat_of("slope", text, 65536.0, 0);
+    let flow = 1000.0 * 1.25_f64.sqrt() * 1000.0;
+    assert!((found.flow.value / flow - 1.0).abs() < 1e-12, "{:?} for {flow}", found.flow);
+    // Something of the margin was met.
+    assert!(found.flow.error > 1e-6 * flow && found.flow.error < 1e-3 * flow, "{:?}", found.flow);
 }
 
 #[test]

@@ -5,9 +5,9 @@ use std::f64::consts::PI;
 
 use super::scored::{SEEN, Scored, apart, heat, heat_of, level, of};
 
-/// Length over radius and the probability W of passage: P. Clausing's integral equation (Ann. Phys. 404, 1932),
-/// solved by collocation at 30 and at 50 Gauss points, whose integrals are split at the kink of the kernel; both
-/// agree to all digits.
+/// Length over radius and the probability W of passage: P. Clausing's integral equation (Ann. Phys. 404,
+/// 1932), solved by collocation at 30 and at 50 Gauss points, whose integrals are split at the kink of the
+/// kernel; both agree to all digits.
 const PASSAGES: [[f64; 2]; 6] = [
     [0.1, 0.952_398_907_3],
     [0.5, 0.801_271_420_2],

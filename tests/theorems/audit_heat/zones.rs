@@ -1,5 +1,5 @@
-//! Zones of a sphere: what leaves any part of its inside falls evenly on all of it, so that the balance of any
-//! conditions is one equation.
+//! Zones of a sphere: what leaves any part of its inside falls evenly on all of it, so that the balance of
+//! any conditions is one equation.
 //!
 //! ```text
 //! F_ij = f_j ,   H = Σ f_j J_j ,   H (Σ_T f ε + f_open) = Σ_T f ε σ T⁴ + Σ_q f q

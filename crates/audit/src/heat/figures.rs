@@ -35,8 +35,8 @@ pub(super) struct Irradiance {
     pub(super) above: f64,
     /// Of a sheet its level above L₀ (W m⁻²).
     pub(super) sheet: f64,
-    /// Area of what nothing stands on.
-    pub(super) area: f64,
+    /// Part of the area that nothing stands on.
+    pub(super) bare: f64,
 }
 
 impl Irradiance {
@@ -60,18 +60,32 @@ impl Irradiance {
     }
 }
 
-/// The heat of a surface from independent irradiances.
-pub(super) fn estimate(surface: usize, role: &Role, all: &[Irradiance], rays: u64) -> HeatEstimate {
-    let mean = |value: &dyn Fn(&Irradiance) -> f64| Mean::of(&all.iter().map(value).collect::<Vec<_>>());
-    let level = raised(mean(&|own| own.level_above(role)), all[0].reference);
+fn mean(all: &[Irradiance], value: impl Fn(&Irradiance) -> f64) -> Mean {
+    Mean::of(&all.iter().map(value).collect::<Vec<_>>())
+}
+
+/// The flow out of a surface of this area from independent irradiances. Where no more than this part is
+/// covered, that is the margin of what touches it: nothing is, and the flow is as uncertain as that.
+pub(super) fn flow(role: &Role, all: &[Irradiance], area: f64, margin: f64) -> Mean {
+    let covered = mean(all, |own| 1.0 - own.bare).value;
+    if covered > margin {
+        return mean(all, |own| own.flux(role) * own.bare * area);
+    }
+    let Mean { value, error } = mean(all, |own| own.flux(role) * area);
+    Mean { value, error: error.hypot(covered * value) }
+}
+
+/// The heat of a surface from independent irradiances, without flow and rays.
+pub(super) fn estimate(surface: usize, role: &Role, all: &[Irradiance]) -> HeatEstimate {
+    let level = raised(mean(all, |own| own.level_above(role)), all[0].reference);
     HeatEstimate {
         surface,
-        irradiance: raised(mean(&|own| own.above), all[0].reference),
+        irradiance: raised(mean(all, |own| own.above), all[0].reference),
         temperature: temperature(&level),
         level,
-        flux: mean(&|own| own.flux(role)),
-        flow: mean(&|own| own.flux(role) * own.area),
-        rays,
+        flux: mean(all, |own| own.flux(role)),
+        flow: Mean::default(),
+        rays: 0,
     }
 }
 

@@ -15,8 +15,8 @@ use crate::walk::cosine_direction;
 
 use super::roles::{Role, Roles};
 
-/// Rays from each surface. Chosen: an opening that all of them miss takes less than a hundredth of its view, and a
-/// walk would meet hundreds of walls before it.
+/// Rays from each surface. Chosen: an opening that all of them miss takes less than a hundredth of its view,
+/// and a walk would meet hundreds of walls before it.
 const PROBES: usize = 512;
 
 /// Stream of the random numbers that they take.
