@@ -50,6 +50,11 @@ impl Effort {
         Self::of_walks(seconds * WALKS_A_SECOND / (deeper * bent * readings.max(1) as f64))
     }
 
+    /// The effort, or more: about `walks` walks for each reading at the least.
+    pub fn at_least(self, walks: u64) -> Self {
+        Self { log: self.log.max(Self::of_walks(walks as f64).log), ..self }
+    }
+
     /// The effort with other draws.
     pub fn seeded(self, seed: u64) -> Self {
         Self { seed, ..self }

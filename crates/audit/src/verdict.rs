@@ -90,7 +90,7 @@ pub struct SignedMean {
     pub is_group: bool,
     /// Readings that it is a mean of.
     pub readings: usize,
-    /// The mean difference over the mean of what is true.
+    /// The mean difference over the size of the mean of what is true.
     pub relative: f64,
     /// Its standard error, by chance alone.
     pub error: f64,
@@ -120,6 +120,9 @@ pub struct WorstReading {
 }
 
 impl Verdict {
+    /// Readings that are named as the worst. Chosen: as many as a person looks at.
+    pub const WORST: usize = 10;
+
     /// The verdict on some readings, of which `worst` are named; nothing is said of light groups.
     pub fn of(judged: &[Judged], worst: usize) -> Self {
         Self::by_groups(judged, &[], worst)
@@ -200,6 +203,39 @@ impl Verdict {
 }
 
 impl Judged {
+    /// A single number, printed and found by so many rays.
+    pub fn of_number(class: &str, printed: f64, found: Mean, rays: u64) -> Self {
+        Self {
+            printed: vec![printed],
+            printed_groups: Vec::new(),
+            estimate: Estimate { bands: vec![found], groups: Vec::new(), rays },
+            weight: 1.0,
+            class: class.to_owned(),
+        }
+    }
+
+    /// What was found, all bands together.
+    pub fn found(&self) -> f64 {
+        self.estimate.bands.iter().map(|mean| mean.value).sum()
+    }
+
+    /// Printed less found, all bands together.
+    pub fn difference(&self) -> f64 {
+        self.printed.iter().sum::<f64>() - self.found()
+    }
+
+    /// Printed less found over the size of what was found, all bands together.
+    pub fn relative(&self) -> f64 {
+        self.difference() / self.found().abs()
+    }
+
+    /// Printed less found in standard errors, all bands together: bands of one walk err together.
+    pub fn in_errors(&self) -> f64 {
+        let difference = self.difference();
+        let error: f64 = self.estimate.bands.iter().map(|mean| mean.error).sum();
+        if difference == 0.0 { 0.0 } else { difference / error }
+    }
+
     /// The largest difference of its bands over its standard error.
     fn score(&self) -> f64 {
         let pairs = self.printed.iter().zip(&self.estimate.bands);
@@ -327,15 +363,16 @@ impl Differences {
 
     /// The mean of a class; `all` is the L2 mean of all readings.
     fn mean(self, class: &Class<'_>, all: f64) -> Option<SignedMean> {
-        let is_told = self.found > 0.0 && self.variance > 0.0;
+        let found = self.found.abs();
+        let is_told = found > 0.0 && self.variance > 0.0;
         let is_group = matches!(class, Class::Group(_));
-        let brightness = if is_group { 1.0 } else { (self.found / (self.numbers as f64 * all)).min(1.0) };
+        let brightness = if is_group { 1.0 } else { (found / (self.numbers as f64 * all)).min(1.0) };
         is_told.then(|| SignedMean {
             of: class.name(),
             is_group,
             readings: self.readings,
-            relative: self.difference / self.found,
-            error: self.variance.sqrt() / self.found,
+            relative: self.difference / found,
+            error: self.variance.sqrt() / found,
             freedom: FREEDOM * self.variance * self.variance / self.fourth,
             brightness,
             is_finding: false,

@@ -1,14 +1,23 @@
-//! `radiosity audit`: light that is printed, judged by a referee.
+//! `radiosity audit`: light, heat or view factors that are printed, judged by a referee.
 
 mod picture;
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
-use clap::{Args, ValueEnum};
-use radiosity_audit::Referee;
+use clap::{Args, Command, ValueEnum};
+use radiosity_audit::{Referee, Verdict};
+use radiosity_heat::Heat;
+use radiosity_heat::judging::JudgedHeat;
 use radiosity_output::documents::audit as output;
-use radiosity_reading::judging::{JudgedRun, Judging};
-use radiosity_request::{AuditRequest, ReadRequest, require_all_light};
+use radiosity_output::documents::audit::Judgement;
+use radiosity_reading::judged_factors::JudgedFactors;
+use radiosity_reading::judging::JudgedRun;
+use radiosity_request::{
+    AuditRequest, HeatRequest, MethodRequest, ReadRequest, TransferRequest, require_all_light,
+};
+use radiosity_solve::in_threads;
+use radiosity_solve::view_factors::ViewFactors;
+use radiosity_work::Work;
 use radiosity_work::ranks::Ranks;
 use radiosity_work::wording::{option, words};
 
@@ -20,7 +29,10 @@ use crate::{
     format,
     loaded::Loaded,
     options::{PARAMETER_OR_GROUP, SCENE_OR_SOLUTION, SceneArg},
+    output_file::OutputFile,
+    progress::Progress,
     run::{Run, RunArgs},
+    typed_options::TypedOptions,
 };
 use picture::MarkArgs;
 
@@ -31,13 +43,19 @@ reflect, points on lamps. Both share the scene: its import, the fitting of its s
 glass; these are not judged. What differs by more than chance and by more than the run tells is named, and looked at a \
 second time with other rays.
 
+Of heat, the flow of each surface of known temperature is judged, and the temperature of each other one; of view factors,
+those from 1e-3 on of --readings surfaces. Both take the defaults of the verbs `heat` and `view-factors`, and those options of
+the method that these have, such as --eps and --shadows.
+
 Examples:
   radiosity audit cornell-box
   radiosity audit room.toml --seconds 20 --picture where.png
   radiosity solve room.toml -o room.solution.json && radiosity audit room.solution.json --strict
-  radiosity audit room.toml --readings 256 --format json -o audit.json";
+  radiosity audit room.toml --readings 256 --format json -o audit.json
+  radiosity audit oven --of heat --strict
+  radiosity audit faces.csv --of view-factors";
 
-/// Solves a scene and judges its light by path tracing, with the readings that differ most
+/// Solves a scene and judges its light, heat or view factors by path tracing, with what differs most
 #[derive(Debug, Args)]
 #[command(
     mut_arg("scene", |scene| scene.help(SCENE_OR_SOLUTION)),
@@ -50,6 +68,10 @@ Examples:
 pub(crate) struct AuditArgs {
     #[command(flatten)]
     pub(crate) scene: SceneArg,
+
+    /// What is judged
+    #[arg(long, value_name = "WHAT", default_value = "light")]
+    of: Subject,
 
     #[command(flatten)]
     pub(crate) audit: AuditRequest,
@@ -83,42 +105,176 @@ enum Format {
     Json,
 }
 
-/// Solves the scene, judges its light and prints the verdict.
-pub(crate) fn run(args: &AuditArgs, loaded: Loaded, ranks: &Ranks) -> Result<(), CliError> {
-    let RunArgs { method, report, .. } = &args.run;
-    require_all_light(method, "the referee judges all light", |name| words("leave out ") + option(name))?;
-    args.read.check(&loaded.options(method, ranks), method)?;
-    let reserve = |path: &PathBuf| loaded.reserve(path, report, ranks);
-    let destination = Destination::of(args.output.as_ref().map(reserve).transpose()?, ranks);
-    let format = format::chosen(args.format, args.output.as_deref(), Format::Text)?;
-    let picture = args.marks.wanted(&loaded, report, args.output.as_deref(), ranks)?;
-    let goal = wanted(method, loaded.scene(), ranks)?;
-    let goal = goal.map(|goal| goal.read_by(args.read.read_by.unwrap_or_default()));
-    let run = Run::to(goal, loaded, &args.run, ranks)?;
-    let reading = args.read.reading(method, &run.solved, run.is_saved());
-    let judging = args.audit.judging(&run.solved, &reading);
-    let referee = Referee::of_light(&run.solved.scene);
-    let judge = || JudgedRun::of(&run.solved, &reading, &referee, &judging, &run.work());
-    let judged = run.in_threads(judge)?;
-    require_readings(&judged)?;
-    let scene = &run.solved.scene;
-    destination.write(|writer| match format {
-        Format::Text => write!(writer, "{}", output::text(scene, &judging, &judged)),
-        Format::Csv => output::csv(scene, &judged, writer),
-        Format::Json => output::json(scene, &judging, &judged, writer),
-    })?;
-    if let Some(picture) = &picture {
-        let taken = run.in_threads(|| picture.take(&run.solved, &judged, ranks))?;
-        picture.file.write(|writer| taken.write_png(writer))?;
+/// What is judged.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Subject {
+    /// Light, as `probe` reads it
+    Light,
+    /// Flows and temperatures, as `heat` prints them
+    Heat,
+    /// Parts of what leaves surfaces that reach others, as `view-factors` prints them
+    ViewFactors,
+}
+
+/// Judges what was asked for and prints the verdict.
+pub(crate) fn run(
+    args: &AuditArgs,
+    fixing: &[String],
+    given: &TypedOptions,
+    ranks: &Ranks,
+) -> Result<(), CliError> {
+    match args.of {
+        Subject::Light => args.light(fixing, given, ranks),
+        Subject::Heat => {
+            args.require_known(given, HeatRequest::augment_args(transfers()))?;
+            args.heat(given, ranks)
+        }
+        Subject::ViewFactors => {
+            args.require_known(given, transfers())?;
+            args.view_factors(given, ranks)
+        }
     }
-    if !report.quiet && (format != Format::Text || args.output.is_some()) {
-        let lines = [Some(judged.to_string()), output::finding(&judging, &judged)];
-        console::tell(&lines.into_iter().flatten().collect::<Vec<_>>(), ranks);
+}
+
+/// The options of transfers.
+fn transfers() -> Command {
+    TransferRequest::augment_args(Command::new("transfers"))
+}
+
+/// Where a verdict goes, and in which format.
+struct Outlet {
+    destination: Destination,
+    format: Format,
+}
+
+impl Outlet {
+    /// Writes the verdict in full; what of it is to be told besides, unless that is not wanted.
+    fn write(&self, judgement: &Judgement<'_>, args: &AuditArgs, ranks: &Ranks) -> Result<(), CliError> {
+        self.destination.write(|writer| match self.format {
+            Format::Text => write!(writer, "{}", judgement.text()),
+            Format::Csv => judgement.csv(writer),
+            Format::Json => judgement.json(writer),
+        })?;
+        if !args.run.report.quiet && (self.format != Format::Text || args.output.is_some()) {
+            console::tell(&judgement.summary(), ranks);
+        }
+        Ok(())
     }
-    let files = args.output.iter().chain(&args.marks.picture).map(|path| path.display().to_string());
-    let written = files.collect::<Vec<_>>().join(" and ");
-    run.finish((!written.is_empty()).then_some(written.as_str()))?;
-    args.judge(&judging, &judged)
+}
+
+impl AuditArgs {
+    /// Solves the scene and judges its light.
+    fn light(&self, fixing: &[String], given: &TypedOptions, ranks: &Ranks) -> Result<(), CliError> {
+        let loaded = Loaded::dark_or_lit(&self.scene, fixing, ranks)?;
+        if loaded.scene().require_light().is_err() && Heat::is_known(loaded.scene()) {
+            return Err(CliError::refused(
+                format!("{}: nothing emits light, but temperatures or fluxes are given", self.scene.scene),
+                "add --of heat, which judges what `radiosity heat` prints",
+            ));
+        }
+        let loaded = loaded.required()?;
+        let RunArgs { method, report, .. } = &self.run;
+        let ranks = &self.run.recording(given, &loaded.inputs(), None, ranks)?;
+        require_all_light(method, "the referee judges all light", |name| words("leave out ") + option(name))?;
+        self.read.check(&loaded.options(method, ranks), method)?;
+        let outlet = self.outlet(|path| loaded.reserve(path, report, ranks), ranks)?;
+        let picture = self.marks.wanted(&loaded, report, self.output.as_deref(), ranks)?;
+        let goal = wanted(method, loaded.scene(), ranks)?;
+        let goal = goal.map(|goal| goal.read_by(self.read.read_by.unwrap_or_default()));
+        let run = Run::to(goal, loaded, &self.run, ranks)?;
+        let reading = self.read.reading(method, &run.solved, run.is_saved());
+        let judging = self.audit.judging(&run.solved, &reading);
+        let referee = Referee::of_light(&run.solved.scene);
+        let judge = || JudgedRun::of(&run.solved, &reading, &referee, &judging, &run.work());
+        let judged = run.in_threads(judge)?;
+        require_readings(&judged)?;
+        outlet.write(&output::light::judgement(&run.solved.scene, &judging, &judged), self, ranks)?;
+        if let Some(picture) = &picture {
+            let taken = run.in_threads(|| picture.take(&run.solved, &judged, ranks))?;
+            picture.file.write(|writer| taken.write_png(writer))?;
+        }
+        let files = self.output.iter().chain(&self.marks.picture).map(|path| path.display().to_string());
+        let written = files.collect::<Vec<_>>().join(" and ");
+        run.finish((!written.is_empty()).then_some(written.as_str()))?;
+        self.judge("the light is", judging.told, &judged.verdict)
+    }
+
+    /// Computes the balance of heat and judges it.
+    fn heat(&self, given: &TypedOptions, ranks: &Ranks) -> Result<(), CliError> {
+        let scene = self.scene.request().load_lit(ranks)?;
+        let ranks = &self.run.checkpoint.recording(given, &scene, &[], ranks)?;
+        let outlet = self.outlet(|path| self.scene.reserve(path, ranks), ranks)?;
+        let method = &self.run.method;
+        let options = HeatRequest::of(method)?.options(&TransferRequest::of(method)?, false, ranks);
+        let progress = Progress::of(&self.run.report, ranks);
+        let work = Work::among(ranks).observed_by(&progress);
+        let heat = Heat::of(&scene, &options, &work)?;
+        let surfaces = self.audit.chosen(&heat.judgeable(&scene));
+        let effort = self.audit.effort(surfaces.len(), &scene);
+        let judge = || JudgedHeat::of(&scene, &heat, &surfaces, &effort, &work);
+        let judged = options.options.in_threads(ranks, judge)??;
+        progress.clear();
+        outlet.write(&output::heat::judgement(&judged), self, ranks)?;
+        self.judge("the heat is", judged.told, &judged.verdict)
+    }
+
+    /// Computes view factors and judges them.
+    fn view_factors(&self, given: &TypedOptions, ranks: &Ranks) -> Result<(), CliError> {
+        let scene = self.scene.request().load(ranks)?;
+        let ranks = &self.run.checkpoint.recording(given, &scene, &[], ranks)?;
+        let outlet = self.outlet(|path| self.scene.reserve(path, ranks), ranks)?;
+        let options = TransferRequest::of(&self.run.method)?.factors();
+        let progress = Progress::of(&self.run.report, ranks);
+        let work = Work::among(ranks).observed_by(&progress);
+        let factors = ViewFactors::new(&scene, &options, &work)?;
+        let rows = self.audit.chosen(&(0..scene.surfaces.len()).collect::<Vec<_>>());
+        let effort = self.audit.effort(rows.len(), &scene);
+        let judge = || JudgedFactors::of(&scene, &factors, &options, &rows, &effort, &work);
+        let judged = in_threads(ranks.threads(options.threads), judge)?;
+        progress.clear();
+        if judged.factors.is_empty() {
+            return Err(CliError::refused(
+                "no view factor is large enough to be judged",
+                "ask for more --readings: surfaces that see no other have no factors",
+            ));
+        }
+        outlet.write(&output::view_factors::judgement(&judged), self, ranks)?;
+        self.judge("the view factors are", judged.told, &judged.verdict)
+    }
+
+    /// Where the verdict goes; `reserve` finds out whether a file can be written.
+    fn outlet(
+        &self,
+        reserve: impl FnOnce(&Path) -> Result<OutputFile, CliError>,
+        ranks: &Ranks,
+    ) -> Result<Outlet, CliError> {
+        let output = self.output.as_deref();
+        let destination = Destination::of(output.map(reserve).transpose()?, ranks);
+        Ok(Outlet { destination, format: format::chosen(self.format, output, Format::Text)? })
+    }
+
+    /// Refuses options of light that what is judged does not have; `own` has those that it has.
+    fn require_known(&self, given: &TypedOptions, own: Command) -> Result<(), CliError> {
+        let light = MarkArgs::augment_args(ReadRequest::augment_args(MethodRequest::augment_args(
+            Command::new("light"),
+        )));
+        let typed = given.first_beside(&light, &own);
+        let report = self.run.report.report.as_ref().map(|_| "report");
+        let limit = self.run.method.time_limit.map(|_| "time_limit");
+        let Some(id) = typed.or(report).or(limit) else { return Ok(()) };
+        Err(CliError::refused(
+            format!("--{} is of light", id.replace('_', "-")),
+            "leave it out, or judge light with --of light",
+        ))
+    }
+
+    /// Fails where a strict run finds more than is told.
+    fn judge(&self, what: &'static str, told: f64, verdict: &Verdict) -> Result<(), CliError> {
+        match self.scene.strict && verdict.finds(told) {
+            true => Err(CliError::FoundMore { what, told }),
+            false => Ok(()),
+        }
+    }
 }
 
 /// Refuses a verdict on too few readings.
@@ -129,15 +285,5 @@ fn require_readings(judged: &JudgedRun) -> Result<(), CliError> {
             "ask for more --readings, or take --read gather",
         )),
         _ => Ok(()),
-    }
-}
-
-impl AuditArgs {
-    /// Fails where a strict run finds more than is told.
-    fn judge(&self, judging: &Judging, judged: &JudgedRun) -> Result<(), CliError> {
-        match self.scene.strict && judged.verdict.finds(judging.told) {
-            true => Err(CliError::FoundMore { told: judging.told }),
-            false => Ok(()),
-        }
     }
 }

@@ -2,6 +2,7 @@
 
 use std::{fmt::Write, io, path::PathBuf};
 
+use radiosity_audit::HeatFault;
 use radiosity_heat::HeatError;
 use radiosity_published::hierarchy::HierarchyError;
 use radiosity_reading::files::solution_file::SolutionError;
@@ -76,8 +77,10 @@ pub(crate) enum CliError {
         estimate: Option<f64>,
     },
     /// A strict referee found more than the run tells; all was written.
-    #[error("the light is off by more than the {:.1e} that the run tells; what there is was written", told)]
+    #[error("{what} off by more than the {told:.1e} that the run tells; what there is was written")]
     FoundMore {
+        /// Subject and verb of the message.
+        what: &'static str,
         /// The relative error that is told.
         told: f64,
     },
@@ -109,6 +112,12 @@ impl From<HeatError> for CliError {
             HeatError::Solve(failure) => Self::Solve(failure),
             other => Self::Heat(other),
         }
+    }
+}
+
+impl From<HeatFault> for CliError {
+    fn from(fault: HeatFault) -> Self {
+        Self::refused(fault.to_string(), fault.cure().to_string())
     }
 }
 

@@ -178,11 +178,7 @@ impl Cli {
                 let ranks = args.run.recording(given, &loaded.inputs(), None, ranks)?;
                 grid::run(args, loaded, &ranks)
             }
-            Verb::Audit(args) => {
-                let loaded = Loaded::readable(&args.scene, &self.fixing, ranks)?;
-                let ranks = args.run.recording(given, &loaded.inputs(), None, ranks)?;
-                audit::run(args, loaded, &ranks)
-            }
+            Verb::Audit(args) => audit::run(args, &self.fixing, given, ranks),
             Verb::Convergence(args) => convergence::run(args, &Loaded::lit(&args.scene, ranks)?, ranks),
             Verb::ViewFactors(args) => view_factors::run(args, given, ranks),
             Verb::Heat(args) => heat::run(args, given, ranks),

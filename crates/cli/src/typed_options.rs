@@ -9,7 +9,7 @@ use clap::{ArgMatches, Command};
 /// Options and arguments on which results depend, with their values: a run that resumes may differ in all
 /// others.
 #[derive(Debug, Default)]
-pub(crate) struct TypedOptions(#[expect(dead_code, reason = "it is printed")] Vec<(String, Vec<OsString>)>);
+pub(crate) struct TypedOptions(Vec<(String, Vec<OsString>)>);
 
 /// Options on which no number depends: means, messages, and where a run is recorded. Names of outputs may
 /// differ, their endings not.
@@ -17,6 +17,13 @@ const FREE: [&str; 9] =
     ["checkpoint", "keep_partial", "memory", "quiet", "report", "resume", "threads", "time_limit", "verbose"];
 
 impl TypedOptions {
+    /// The first of the options of `some` that `own` does not know and that was typed.
+    pub(crate) fn first_beside(&self, some: &Command, own: &Command) -> Option<&str> {
+        let has = |command: &Command, id: &str| command.get_arguments().any(|known| known.get_id() == id);
+        let mut ids = self.0.iter().map(|(id, _)| id.as_str());
+        ids.find(|id| has(some, id) && !has(own, id))
+    }
+
     /// The options and arguments that were typed after a verb of `command`, and the verb.
     pub(crate) fn of(command: &Command, matches: &ArgMatches) -> Self {
         let Some((verb, typed)) = matches.subcommand() else { return Self::default() };

@@ -22,9 +22,10 @@
 //!
 //! In order: [`HeatError`], `black_body`, `roles` (what is known of each surface), `coats` (scenes with the
 //! coatings of heat), `closure` (rows that sum to 1), `levels`, `figures` (of each surface), `field` (σ T⁴
-//! over surfaces), `shields`, `conductances`, `forecast`, and [`Heat`], the balance.
+//! over surfaces), `shields`, `conductances`, `forecast`, [`Heat`], the balance, and [`judging`], what a referee
+//! says of it.
 //!
-//! Imports `core`, `geom`, `solvers`, `work`, `scene`, `visibility`, `elements`, `kernel` and `solve`.
+//! Imports `core`, `geom`, `solvers`, `work`, `scene`, `audit`, `visibility`, `elements`, `kernel` and `solve`.
 
 mod error;
 mod black_body;
@@ -37,6 +38,7 @@ mod field;
 mod shields;
 mod conductances;
 mod forecast;
+pub mod judging;
 
 use radiosity_scene::Scene;
 use radiosity_solve::solution::Solution;

@@ -4,7 +4,7 @@
 //! and plans, in vectors and pixels), [`pictures`] (tones, images, triangles), [`files`] (view factors,
 //! OpenEXR, glTF) and [`documents`] (reports in HTML and Markdown, plans, the viewer).
 //!
-//! Imports `geom`, `work`, `scene`, `visibility`, `elements`, `solve`, `reading` and `heat`.
+//! Imports `geom`, `work`, `scene`, `audit`, `visibility`, `elements`, `solve`, `reading` and `heat`.
 
 pub mod table;
 pub mod drawings;

@@ -22,9 +22,6 @@ use crate::reader::ReadMode;
 /// surfaces send them their light.
 const OF_SURFACES: f64 = 2.0 / 3.0;
 
-/// Readings that a verdict names as the worst. Chosen: as many as a person looks at.
-const WORST: usize = 10;
-
 /// What is judged, and how thoroughly.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Judging {
@@ -93,7 +90,8 @@ impl JudgedRun {
                 class: all[*place].class.clone(),
             })
             .collect();
-        let verdict = referee.verdict(&spots, &mut judged, judging.told, WORST, &judging.effort, work);
+        let verdict =
+            referee.verdict(&spots, &mut judged, judging.told, Verdict::WORST, &judging.effort, work);
         let readings = is_read.iter().zip(judged);
         let readings = readings.map(|(place, judged)| JudgedReading { probe: all[*place].probe, judged });
         Self { readings: readings.collect(), unread: all.len() - is_read.len(), verdict }
@@ -103,38 +101,18 @@ impl JudgedRun {
 /// The verdict in a line.
 impl fmt::Display for JudgedRun {
     fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
-        let percent = |part: f64| significant(100.0 * part, 2);
-        let verdict = &self.verdict;
-        write!(to, "checked at {} readings by path tracing: ", verdict.readings)?;
-        match verdict.exceeds(0.0) {
-            true => write!(to, "off by {} % (± {} %)", percent(verdict.error()), percent(verdict.error_sd())),
-            false => write!(to, "no error above {} % seen", percent(verdict.visible())),
-        }
+        to.write_str(&checked(&self.verdict, "readings"))
     }
 }
 
-impl JudgedReading {
-    /// Printed less found over found, all bands together.
-    pub fn difference(&self) -> f64 {
-        self.difference_of_sums() / self.found()
-    }
-
-    /// Printed less found in standard errors, all bands together: bands of one walk err together.
-    pub fn in_errors(&self) -> f64 {
-        let difference = self.difference_of_sums();
-        let error: f64 = self.judged.estimate.bands.iter().map(|mean| mean.error).sum();
-        if difference == 0.0 { 0.0 } else { difference / error }
-    }
-
-    /// What was found, all bands together (W m⁻²).
-    pub fn found(&self) -> f64 {
-        self.judged.estimate.bands.iter().map(|mean| mean.value).sum()
-    }
-
-    /// Printed less found, all bands together (W m⁻²).
-    pub fn difference_of_sums(&self) -> f64 {
-        self.judged.printed.iter().sum::<f64>() - self.found()
-    }
+/// A verdict on numbers of this plural noun in a line.
+pub fn checked(verdict: &Verdict, of: &str) -> String {
+    let percent = |part: f64| significant(100.0 * part, 2);
+    let said = match verdict.exceeds(0.0) {
+        true => format!("off by {} % (± {} %)", percent(verdict.error()), percent(verdict.error_sd())),
+        false => format!("no error above {} % seen", percent(verdict.visible())),
+    };
+    format!("checked at {} {of} by path tracing: {said}", verdict.readings)
 }
 
 /// The relative error that a solution read with `settings` tells: the largest of the accuracies of its
@@ -172,7 +150,7 @@ fn places(scene: &Scene, referee: &Referee, judging: &Judging) -> Vec<Place> {
 }
 
 /// About `wanted` of `count` items, one of each part of equal length.
-fn evenly<T>(
+pub fn evenly<T>(
     items: impl Iterator<Item = T>,
     count: usize,
     wanted: usize,

@@ -2,7 +2,8 @@
 //!
 //! In order: numbers as texts ([`digits`]), values on a grid of points ([`field`]), warnings, light at points
 //! and sensors ([`reader`], [`probe`], [`grid`], [`uniformity`], [`plane_figures`]) with its errors
-//! ([`read_error`], [`quality`]) and what a referee says of it ([`judging`]), the report of a run ([`report`],
+//! ([`read_error`], [`quality`]) and what a referee says of it ([`judging`]) and
+//! of view factors ([`judged_factors`]), the report of a run ([`report`],
 //! [`rank_work`], [`checkpoint`]), light of pixels and texels ([`pictures`]), and solutions in files ([`files`]:
 //! our own, and curved cells of VTK).
 //!
@@ -22,6 +23,7 @@ pub mod read_error;
 pub mod plane_figures;
 pub mod quality;
 pub mod judging;
+pub mod judged_factors;
 pub mod accuracy_warning;
 pub mod rank_work;
 pub mod checkpoint;

@@ -1,8 +1,9 @@
 //! Requests for a referee: how long it looks, and at how many readings.
 
 use radiosity_audit::Effort;
-use radiosity_reading::judging::{Judging, told};
+use radiosity_reading::judging::{Judging, evenly, told};
 use radiosity_reading::quality::ReadSettings;
+use radiosity_scene::Scene;
 use radiosity_solve::solved::Solved;
 use serde::Deserialize;
 
@@ -36,10 +37,28 @@ pub struct AuditRequest {
 impl AuditRequest {
     /// What is judged of a solution that is read with `settings`.
     pub fn judging(&self, solved: &Solved, settings: &ReadSettings) -> Judging {
-        let readings = self.readings.map_or(READINGS, Readings::count);
+        let readings = self.readings();
+        let effort = self.effort(readings, &solved.scene);
+        Judging { readings, effort, seed: self.seed(), told: told(solved, settings) }
+    }
+
+    /// Walks for each of so many readings of a scene.
+    pub fn effort(&self, readings: usize, scene: &Scene) -> Effort {
         let seconds = self.seconds.map_or(SECONDS, f64::from);
-        let seed = self.seed.unwrap_or(0);
-        let effort = Effort::of_seconds(seconds, readings, &solved.scene).seeded(seed);
-        Judging { readings, effort, seed, told: told(solved, settings) }
+        Effort::of_seconds(seconds, readings, scene).seeded(self.seed())
+    }
+
+    /// As many of these surfaces as are judged: one of each part of equal length.
+    pub fn chosen(&self, surfaces: &[usize]) -> Vec<usize> {
+        let count = surfaces.len();
+        evenly(surfaces.iter().copied(), count, self.readings().min(count), self.seed()).collect()
+    }
+
+    fn readings(&self) -> usize {
+        self.readings.map_or(READINGS, Readings::count)
+    }
+
+    fn seed(&self) -> u64 {
+        self.seed.unwrap_or(0)
     }
 }

@@ -7,11 +7,14 @@ use radiosity_solve::{Options, Transport};
 use radiosity_solvers::method::Method;
 use radiosity_visibility::Shadows;
 use radiosity_work::ranks::Ranks;
+use radiosity_work::wording::{option, set, words};
 use serde::Deserialize;
 
 use super::memory;
-use super::modes;
-use super::ranges::{self, Bytes, Number, Subdivide, by_text};
+use super::method::MethodRequest;
+use super::modes::{self, LightShadows};
+use super::ranges::{self, Bytes, Number, Order, Subdivide, by_text};
+use super::refusal::Refusal;
 
 /// Accuracy of view factors unless told otherwise.
 const FACTORS: f64 = 1e-3;
@@ -46,6 +49,25 @@ pub struct TransferRequest {
 }
 
 impl TransferRequest {
+    /// The transfers of a method, as they are without light.
+    ///
+    /// # Errors
+    /// Shadows that light alone has.
+    pub fn of(method: &MethodRequest) -> Result<Self, Refusal> {
+        let shadows = match method.shadows {
+            None => None,
+            Some(LightShadows::Found(shadows)) => Some(shadows),
+            Some(LightShadows::Mask) => {
+                return Err(Refusal::new(
+                    set("shadows", "mask") + ": masks are of direct light",
+                    words("leave ") + option("shadows") + " out",
+                ));
+            }
+        };
+        let MethodRequest { subdivide, eps, shadow_eps, threads, .. } = *method;
+        Ok(Self { subdivide, eps, shadow_eps, shadows, threads })
+    }
+
     /// Accuracies of view factors and their shadows.
     pub fn accuracy(&self) -> Accuracy {
         self.accuracy_or(FACTORS)
@@ -99,6 +121,25 @@ pub struct HeatRequest {
 }
 
 impl HeatRequest {
+    /// The balance of heat by a method.
+    ///
+    /// # Errors
+    /// A degree that is to be found by the accuracy.
+    pub fn of(method: &MethodRequest) -> Result<Self, Refusal> {
+        let order = match method.order {
+            None => None,
+            Some(Order::Degree(degree)) => ranges::Degree::try_from(degree as i128).ok(),
+            Some(Order::Auto) => {
+                return Err(Refusal::new(
+                    set("order", "auto") + ": heat is computed at one degree",
+                    words("take a degree, such as ") + set("order", "5"),
+                ));
+            }
+        };
+        let MethodRequest { transport, solver, memory, .. } = *method;
+        Ok(Self { order, transport, solver, memory })
+    }
+
     /// Degree of the polynomials.
     pub fn order(&self) -> usize {
         self.order.map_or_else(|| HeatOptions::default().options.order, ranges::Degree::count)

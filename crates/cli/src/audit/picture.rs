@@ -67,12 +67,12 @@ impl MarkPicture {
     /// The picture of these readings.
     pub(crate) fn take(&self, solved: &Solved, judged: &JudgedRun, ranks: &Ranks) -> Picture {
         let scene = &solved.scene;
-        let squares: f64 = judged.readings.iter().map(|own| own.found().powi(2)).sum();
+        let squares: f64 = judged.readings.iter().map(|own| own.judged.found().powi(2)).sum();
         let mean = (squares / judged.readings.len() as f64).sqrt();
         let mark = |own: &JudgedReading| Mark {
             position: own.probe.position - scene.middle,
-            value: 100.0 * own.difference_of_sums() / mean,
-            is_large: own.in_errors().abs() >= LARGE,
+            value: 100.0 * own.judged.difference() / mean,
+            is_large: own.judged.in_errors().abs() >= LARGE,
         };
         let marks: Vec<Mark> = judged.readings.iter().map(mark).collect();
         let largest = marks.iter().map(|mark| mark.value.abs()).fold(0.0, f64::max);

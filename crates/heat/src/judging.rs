@@ -1,0 +1,129 @@
+//! Heat judged by a referee: flows and temperatures that are printed, beside what walks find.
+//!
+//! A number in watts stands for each surface, so that all weigh alike: with its printed area A
+//!
+//! ```text
+//! T known:   Q = q A ;        flux known, or that of a sheet:   σ T⁴ A .
+//! ```
+//!
+//! The relative error that the balance tells is, like the one that is found, one of the L2 mean:
+//! √(Σ told² / Σ printed²).
+
+use radiosity_audit::{Effort, HeatEstimate, HeatFault, HeatReferee, Judged, Mean, Verdict};
+use radiosity_scene::Scene;
+use radiosity_work::Work;
+
+use super::Heat;
+use super::black_body::STEFAN_BOLTZMANN;
+use super::figures::SurfaceHeat;
+
+/// Walks of a surface at the least. Measured: means of fewer than 256 a move are no normal numbers.
+const LEAST_WALKS: u64 = 256 * Effort::SHIFTS as u64;
+
+/// Surfaces of a balance, judged.
+#[derive(Clone, Debug)]
+pub struct JudgedHeat {
+    /// The surfaces.
+    pub surfaces: Vec<JudgedSurface>,
+    /// Surfaces of which walks found no number.
+    pub unread: usize,
+    /// Walks for each of them.
+    pub walks: u64,
+    /// Relative error that the balance tells.
+    pub told: f64,
+    /// What the referee says of them.
+    pub verdict: Verdict,
+}
+
+/// A judged surface.
+#[derive(Clone, Debug)]
+pub struct JudgedSurface {
+    /// What was printed: its flow (W) or its temperature (K).
+    pub printed: f64,
+    /// Whether that is its flow.
+    pub is_flow: bool,
+    /// The error that was told with it.
+    pub told: f64,
+    /// What was found.
+    pub found: Mean,
+    /// Both as flow or level times area (W); the class is its name.
+    pub judged: Judged,
+    /// The told error (W).
+    told_watts: f64,
+}
+
+impl Heat {
+    /// Surfaces that can be judged: those of some area, and of sheets of one temperature one side.
+    pub fn judgeable(&self, scene: &Scene) -> Vec<usize> {
+        let is_sheet = |surface: usize| {
+            !self.surfaces[surface].is_temperature_known && !self.surfaces[surface].is_flow_known
+        };
+        let is_second = |surface: usize| {
+            let other = scene.surfaces[surface].other_side.filter(|other| *other < surface);
+            other.is_some_and(|other| is_sheet(surface) && is_sheet(other))
+        };
+        let all = 0..self.surfaces.len();
+        all.filter(|surface| self.surfaces[*surface].area > 0.0 && !is_second(*surface)).collect()
+    }
+}
+
+impl JudgedHeat {
+    /// Judges these surfaces of the balance of a scene, by their indices.
+    ///
+    /// # Errors
+    /// Heat that cannot be read by walks.
+    pub fn of(
+        scene: &Scene,
+        heat: &Heat,
+        surfaces: &[usize],
+        effort: &Effort,
+        work: &Work<'_>,
+    ) -> Result<Self, HeatFault> {
+        let effort = effort.at_least(LEAST_WALKS);
+        let estimates = HeatReferee::of(scene)?.estimates(surfaces, &effort, work);
+        let all = estimates.iter().map(|found| JudgedSurface::of(&heat.surfaces[found.surface], found));
+        let all: Vec<JudgedSurface> = all.filter(|own| own.judged.found().is_finite()).collect();
+        let judged: Vec<Judged> = all.iter().map(|own| own.judged.clone()).collect();
+        Ok(Self {
+            unread: surfaces.len() - all.len(),
+            walks: effort.walks(),
+            told: told(&all),
+            verdict: Verdict::of(&judged, Verdict::WORST),
+            surfaces: all,
+        })
+    }
+}
+
+impl JudgedSurface {
+    fn of(own: &SurfaceHeat, found: &HeatEstimate) -> Self {
+        let number = |printed, mean| Judged::of_number(&own.name, printed, mean, found.rays);
+        if own.is_temperature_known {
+            Self {
+                printed: own.flow,
+                is_flow: true,
+                told: own.flow_error,
+                found: found.flow,
+                judged: number(own.flow, found.flow),
+                told_watts: own.flow_error,
+            }
+        } else {
+            let watts = STEFAN_BOLTZMANN * own.area;
+            let level = Mean { value: found.level.value * own.area, error: found.level.error * own.area };
+            Self {
+                printed: own.temperature,
+                is_flow: false,
+                told: own.temperature_error,
+                found: found.temperature,
+                judged: number(watts * own.temperature.powi(4), level),
+                told_watts: 4.0 * watts * own.temperature.powi(3) * own.temperature_error,
+            }
+        }
+    }
+}
+
+/// The relative error in the L2 mean that the printed numbers are told to have.
+fn told(all: &[JudgedSurface]) -> f64 {
+    let squares: f64 = all.iter().map(|own| own.told_watts.powi(2)).sum();
+    let printed: f64 = all.iter().map(|own| own.judged.printed[0].powi(2)).sum();
+    (squares / printed.max(f64::MIN_POSITIVE)).sqrt()
+}

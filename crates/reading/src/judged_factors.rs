@@ -1,0 +1,77 @@
+//! View factors judged by a referee: F_ij that are printed, beside the part of the rays of i that meets j.
+//!
+//! Of the rows that are judged, factors from 1e-3 on count, printed or found: of fewer a referee tells little.
+//! Factors of a row make a class of their own.
+
+use radiosity_audit::{Effort, Judged, Verdict, ViewFactorReferee, ViewFactorRow};
+use radiosity_scene::Scene;
+use radiosity_solve::view_factors::{Options, ViewFactors};
+use radiosity_work::Work;
+
+/// The least factor that is judged. Chosen: below, thousands of rays meet the other surface a few times.
+const LEAST: f64 = 1e-3;
+
+/// Rays of a row at the least. Measured: means of fewer than 256 a move are no normal numbers.
+const LEAST_RAYS: u64 = 256 * Effort::SHIFTS as u64;
+
+/// Judged factors.
+#[derive(Clone, Debug)]
+pub struct JudgedFactors {
+    /// The factors, row after row.
+    pub factors: Vec<JudgedFactor>,
+    /// Rays of each row.
+    pub rays: u64,
+    /// Relative error that the factors are told to have.
+    pub told: f64,
+    /// What the referee says of them.
+    pub verdict: Verdict,
+}
+
+/// A judged factor, of the class of the surface that it is from.
+#[derive(Clone, Debug)]
+pub struct JudgedFactor {
+    /// Name of the surface that it is to.
+    pub to: String,
+    /// What was printed and what was found.
+    pub judged: Judged,
+}
+
+impl JudgedFactors {
+    /// Judges the rows of these surfaces, by their indices, of factors that were computed with `options`.
+    pub fn of(
+        scene: &Scene,
+        factors: &ViewFactors,
+        options: &Options,
+        rows: &[usize],
+        effort: &Effort,
+        work: &Work<'_>,
+    ) -> Self {
+        let effort = effort.at_least(LEAST_RAYS);
+        let found = ViewFactorReferee::of(scene).rows(rows, &effort, work);
+        let all: Vec<JudgedFactor> = found.iter().flat_map(|row| judged_row(factors, row)).collect();
+        let judged: Vec<Judged> = all.iter().map(|own| own.judged.clone()).collect();
+        let accuracy = &options.accuracy;
+        Self {
+            factors: all,
+            rays: effort.walks(),
+            told: accuracy.eps.max(accuracy.shadow_eps).max(factors.accuracy_reached),
+            verdict: Verdict::of(&judged, Verdict::WORST),
+        }
+    }
+}
+
+/// The factors of a row that count; its rays are those of the first.
+fn judged_row(factors: &ViewFactors, row: &ViewFactorRow) -> Vec<JudgedFactor> {
+    let printed = factors.row(row.surface);
+    let counts = |to: &usize| printed[*to] >= LEAST || row.to(*to).value >= LEAST;
+    let judged = |(number, to): (usize, usize)| JudgedFactor {
+        to: factors.names[to].clone(),
+        judged: Judged::of_number(
+            &factors.names[row.surface],
+            printed[to],
+            row.to(to),
+            if number == 0 { row.rays } else { 0 },
+        ),
+    };
+    (0..printed.len()).filter(counts).enumerate().map(judged).collect()
+}
