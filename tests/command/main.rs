@@ -4,6 +4,7 @@
 mod analytic_cases;
 mod animate;
 mod audit;
+mod audit_of;
 mod bad_input;
 mod behaviour;
 mod builtin;

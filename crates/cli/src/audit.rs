@@ -116,6 +116,16 @@ enum Subject {
     ViewFactors,
 }
 
+impl Subject {
+    fn name(self) -> &'static str {
+        match self {
+            Self::Light => "light",
+            Self::Heat => "heat",
+            Self::ViewFactors => "view-factors",
+        }
+    }
+}
+
 /// Judges what was asked for and prints the verdict.
 pub(crate) fn run(
     args: &AuditArgs,
@@ -215,6 +225,7 @@ impl AuditArgs {
         let judged = options.options.in_threads(ranks, judge)??;
         progress.clear();
         outlet.write(&output::heat::judgement(&judged), self, ranks)?;
+        self.tell_written(ranks);
         self.judge("the heat is", judged.told, &judged.verdict)
     }
 
@@ -239,7 +250,15 @@ impl AuditArgs {
             ));
         }
         outlet.write(&output::view_factors::judgement(&judged), self, ranks)?;
+        self.tell_written(ranks);
         self.judge("the view factors are", judged.told, &judged.verdict)
+    }
+
+    /// Tells which file was written, where one was.
+    fn tell_written(&self, ranks: &Ranks) {
+        if let Some(path) = self.output.as_ref().filter(|_| !self.run.report.quiet) {
+            console::tell(&[format!("wrote {}", path.display())], ranks);
+        }
     }
 
     /// Where the verdict goes; `reserve` finds out whether a file can be written.
@@ -263,7 +282,7 @@ impl AuditArgs {
         let limit = self.run.method.time_limit.map(|_| "time_limit");
         let Some(id) = typed.or(report).or(limit) else { return Ok(()) };
         Err(CliError::refused(
-            format!("--{} is of light", id.replace('_', "-")),
+            format!("--{} does nothing with --of {}", id.replace('_', "-"), self.of.name()),
             "leave it out, or judge light with --of light",
         ))
     }

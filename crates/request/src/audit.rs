@@ -25,7 +25,8 @@ pub struct AuditRequest {
     #[cfg_attr(feature = "clap", arg(long, value_name = "S", allow_negative_numbers = true))]
     pub seconds: Option<Number<Seconds>>,
 
-    /// About the number of readings that are judged [default: 64]
+    /// About the number of readings that are judged, of heat and view factors of surfaces at the most
+    /// [default: 64]
     #[cfg_attr(feature = "clap", arg(long, value_name = "N", allow_negative_numbers = true))]
     pub readings: Option<Readings>,
 
