@@ -143,7 +143,7 @@ fn factors_of_a_cube_are_right() {
 fn blocks_that_are_left_out_are_found() {
     let folder = folder(&[("cube.toml", &format!("{CUBE}{BLOCK}"))]);
     for (of, parts) in [
-        ("heat", ["surfaces by path tracing: off by ", "room-top", "the heat is off by more than"]),
+        ("heat", ["surfaces by path tracing: off by ", "\"room-top\" by -", "the heat is off by more than"]),
         (
             "view-factors",
             ["view factors by path tracing: off by ", "room-top", "the view factors are off by more"],
