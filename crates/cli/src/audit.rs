@@ -69,7 +69,7 @@ pub(crate) struct AuditArgs {
     #[command(flatten)]
     pub(crate) scene: SceneArg,
 
-    /// What is judged
+    /// Numbers that are judged, those of `probe`, `heat` or `view-factors`
     #[arg(long, value_name = "WHAT", default_value = "light")]
     of: Subject,
 
@@ -105,7 +105,7 @@ enum Format {
     Json,
 }
 
-/// What is judged.
+/// `--of` of the numbers that are judged.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 enum Subject {
     /// Light, as `probe` reads it

@@ -35,20 +35,20 @@ pub struct JudgedHeat {
     pub walks: u64,
     /// Relative error that the balance tells.
     pub told: f64,
-    /// What the referee says of them.
+    /// Verdict of the referee on them.
     pub verdict: Verdict,
 }
 
 /// A judged surface.
 #[derive(Clone, Debug)]
 pub struct JudgedSurface {
-    /// What was printed: its flow (W) or its temperature (K).
+    /// Printed flow (W) or temperature (K).
     pub printed: f64,
     /// Whether that is its flow.
     pub is_flow: bool,
     /// The error that was told with it.
     pub told: f64,
-    /// What was found.
+    /// Found flow (W) or temperature (K).
     pub found: Mean,
     /// Both as flow or level times area (W); the class is its name.
     pub judged: Judged,

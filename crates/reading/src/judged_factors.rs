@@ -23,7 +23,7 @@ pub struct JudgedFactors {
     pub rays: u64,
     /// Relative error that the factors are told to have.
     pub told: f64,
-    /// What the referee says of them.
+    /// Verdict of the referee on them.
     pub verdict: Verdict,
 }
 
@@ -32,7 +32,7 @@ pub struct JudgedFactors {
 pub struct JudgedFactor {
     /// Name of the surface that it is to.
     pub to: String,
-    /// What was printed and what was found.
+    /// The printed and the found number.
     pub judged: Judged,
 }
 

@@ -32,7 +32,7 @@ pub struct Judgement<'a> {
     pub(super) walks_of: &'static str,
     /// Walks for each of these.
     pub(super) walks: u64,
-    /// What could not be judged.
+    /// Number of things that could not be judged.
     pub(super) unread: usize,
     /// Why that is so.
     pub(super) unread_because: &'static str,
