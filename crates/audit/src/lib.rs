@@ -11,7 +11,7 @@
 //! (`walk`), what is read (`spot`, `sample`), how much of it (`effort`), the [`Referee`], its [`Verdict`], and the
 //! second look at what stands out (`second_look`).
 //!
-//! Imports `geom`, `scene` and `work`.
+//! Imports `geom`, `work` and `scene`.
 
 mod random;
 mod lattice;
