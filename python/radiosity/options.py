@@ -263,6 +263,25 @@ class Cells(Reading, total=False):
     memory: int | str
 
 
+class Auditing(Reading, total=False):
+    """How light is judged: the options of `Reading`, by which it is read, and these.
+
+    seconds: float
+        Seconds that about two threads take for its rays; their number follows from this and from counts of the scene, and is
+        printed [default: 2].
+
+    readings: int
+        About the number of readings that are judged [default: 64].
+
+    seed: int
+        Chooses other places and other rays [default: 0].
+    """
+
+    seconds: float
+    readings: int
+    seed: int
+
+
 class Picture(TypedDict, total=False):
     """How a picture is taken.
 

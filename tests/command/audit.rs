@@ -216,7 +216,7 @@ fn wrong_inputs_are_refused() {
         );
     }
     refused(&["audit", "room.toml", "--seed", "-1"], &["--seed"]);
-    refused(&["audit", "dark.toml"], &["dark.toml", "no surface"]);
+    refused(&["audit", "dark.toml"], &["dark.toml: nothing emits light"]);
     refused(&["audit", "polygons.csv"], &["a list of polygons carries no materials", "view-factors"]);
     refused(
         &["audit", "room.toml", "--bounces", "1"],

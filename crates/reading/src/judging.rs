@@ -25,7 +25,7 @@ const OF_SURFACES: f64 = 2.0 / 3.0;
 /// Readings that a verdict names as the worst. Chosen: as many as a person looks at.
 const WORST: usize = 10;
 
-/// What is judged, and how thoroughly.
+/// The readings that are to be judged, and the effort for them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Judging {
     /// About the number of readings.
@@ -43,7 +43,7 @@ pub struct Judging {
 pub struct JudgedReading {
     /// The place, in the coordinates that the scene was given in.
     pub probe: Probe,
-    /// What was printed there, and what the referee found.
+    /// The printed numbers there, beside what the referee found.
     pub judged: Judged,
 }
 
@@ -54,7 +54,7 @@ pub struct JudgedRun {
     pub readings: Vec<JudgedReading>,
     /// Places that could not be read: by polynomials there is light on surfaces alone.
     pub unread: usize,
-    /// What the referee says of them.
+    /// The referee's verdict on them.
     pub verdict: Verdict,
 }
 
@@ -126,7 +126,7 @@ impl JudgedReading {
         if difference == 0.0 { 0.0 } else { difference / error }
     }
 
-    /// What was found, all bands together (W m⁻²).
+    /// The light that was found, all bands together (W m⁻²).
     pub fn found(&self) -> f64 {
         self.judged.estimate.bands.iter().map(|mean| mean.value).sum()
     }

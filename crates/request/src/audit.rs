@@ -34,7 +34,7 @@ pub struct AuditRequest {
 }
 
 impl AuditRequest {
-    /// What is judged of a solution that is read with `settings`.
+    /// The readings to be judged of a solution that is read with `settings`.
     pub fn judging(&self, solved: &Solved, settings: &ReadSettings) -> Judging {
         let readings = self.readings.map_or(READINGS, Readings::count);
         let seconds = self.seconds.map_or(SECONDS, f64::from);
