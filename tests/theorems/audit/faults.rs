@@ -102,7 +102,7 @@ static ROOM_SEEN: LazyLock<Seen> = LazyLock::new(|| {
     let is_read = |own: &SamplePoint| !scene.surfaces[own.surface].name.contains("lamp");
     let sample: Vec<SamplePoint> = referee.sample(READINGS, 0).into_iter().filter(is_read).collect();
     let spots: Vec<Spot> = sample.iter().map(|own| own.spot.clone()).collect();
-    let effort = Effort::of_seconds(SECONDS, spots.len(), scene.surfaces.len()).seeded(9);
+    let effort = Effort::of_seconds(SECONDS, spots.len(), &scene).seeded(9);
     let found = referee.estimates(&spots, &effort, &Work::alone());
     Seen { scene, sample, found }
 });
