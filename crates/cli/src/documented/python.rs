@@ -2,7 +2,9 @@
 
 use clap::builder::PossibleValue;
 use clap::{Arg, Args, Command};
-use radiosity_request::{AuditRequest, HeatRequest, ImportRequest, MethodRequest, ReadRequest, TransferRequest};
+use radiosity_request::{
+    AuditRequest, HeatRequest, ImportRequest, MethodRequest, ReadRequest, TransferRequest,
+};
 
 use super::assert_made;
 use crate::grid::GridArgs;
