@@ -6,7 +6,7 @@ use radiosity_reading::quality::ReadSettings;
 use radiosity_solve::solved::Solved;
 use serde::Deserialize;
 
-use super::ranges::{Number, Readings, Seconds};
+use super::ranges::{Number, Readings, Seconds, Seed};
 
 /// Seconds of looking unless told otherwise. Chosen: most rooms then show errors of half a percent.
 const SECONDS: f64 = 2.0;
@@ -30,7 +30,7 @@ pub struct AuditRequest {
 
     /// Chooses other places and other rays [default: 0]
     #[cfg_attr(feature = "clap", arg(long, value_name = "K", allow_negative_numbers = true))]
-    pub seed: Option<u64>,
+    pub seed: Option<Seed>,
 }
 
 impl AuditRequest {
@@ -38,7 +38,7 @@ impl AuditRequest {
     pub fn judging(&self, solved: &Solved, settings: &ReadSettings) -> Judging {
         let readings = self.readings.map_or(READINGS, Readings::count);
         let seconds = self.seconds.map_or(SECONDS, f64::from);
-        let seed = self.seed.unwrap_or(0);
+        let seed = self.seed.map_or(0, u64::from);
         let effort = Effort::of_seconds(seconds, readings, &solved.scene).seeded(seed);
         Judging { readings, effort, seed, told: told(solved, settings) }
     }
