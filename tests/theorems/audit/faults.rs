@@ -1,7 +1,7 @@
 //! Faults that are planted: printed numbers are those of a program that errs in one thing, while the referee sees
 //! the scene as it is. Each is found, and its place is among the three worst.
 //!
-//! What errs stands in elements, blocks, or direct light, of which the referee knows nothing: the program is given
+//! Each error stands in elements, blocks, or direct light, of which the referee knows nothing: the program is given
 //! another scene, or part of what it finds is changed.
 
 use std::sync::LazyLock;
@@ -108,7 +108,7 @@ static ROOM_SEEN: LazyLock<Seen> = LazyLock::new(|| {
 });
 
 impl Seen {
-    /// What the program prints of another scene at the points of this one.
+    /// Numbers that the program prints of another scene at the points of this one.
     fn printed(&self, other: Scene) -> Vec<f64> {
         let solved = solved_of(other, Options::default());
         let reader = Quality::Default.reading().reader(&solved.outcome.solution, solved.visibility());
@@ -182,7 +182,7 @@ fn weights_that_are_a_hundredth_off_are_found() {
 #[test]
 fn a_blocker_that_is_left_out_is_found() {
     let found = ROOM_SEEN.verdict_on(room_with(&part_of_room("screen"), ""));
-    // What it shades are the floor and the wall behind it, and its own sides.
+    // It shades the floor and the wall behind it, and its own sides.
     assert_caught(&found, &["screen", "floor", "left", "room"]);
 }
 

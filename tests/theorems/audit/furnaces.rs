@@ -16,7 +16,7 @@ use radiosity_test_support::shapes::{ball, disk, faces, inside};
 use super::fairness::assert_fair;
 use super::trial::{Trial, quotients};
 
-/// What arrives everywhere.
+/// Irradiance everywhere.
 const LIGHT: f64 = 3.0;
 
 const WALKS: f64 = 1024.0;

@@ -97,7 +97,7 @@ impl Outside {
     }
 }
 
-/// What two panes of the index 1.5 let through, of which the glass itself absorbs as much as makes it 0.7 along
+/// Transmittance of two panes of the index 1.5, of which the glass itself absorbs as much as makes it 0.7 along
 /// the normal (Fresnel; Duffie and Beckman, section 5.3).
 fn glass(cosine: f64) -> f64 {
     let bare = |cosine: f64| {
