@@ -11,8 +11,8 @@
 //! [`kernel`] (integrals over pairs) → [`transport`] (all blocks) → [`light`] (direct, first bounce) →
 //! [`published`] (methods of four papers) → [`mod@solve`] (systems, solutions, the driver, animation) →
 //! [`reading`] (of solutions) → [`heat`] → `output` (by a feature) → [`request`] (what is typed, checked).
-//! Below them stand [`geom`], [`solvers`] and `radiosity-core`. Terms and places: `docs/glossary.md`; derivations: `docs/theory/`; the picture:
-//! `docs/architecture.md`.
+//! Below them stand [`geom`], [`solvers`] and `radiosity-core`. Terms and places: `docs/glossary.md`;
+//! derivations: `docs/theory/`; the picture: `docs/architecture.md`.
 //!
 //! Lux at a point of a room, in ten lines:
 //!

@@ -126,9 +126,7 @@ class Audit(Kept):
         return f"<Audit: {self._native.line}>"
 
 
-def audit(
-    of: Scene | Solution, *, progress: bool | Observer | None = None, **auditing: Unpack[Auditing]
-) -> Audit:
+def audit(of: Scene | Solution, *, progress: bool | Observer | None = None, **auditing: Unpack[Auditing]) -> Audit:
     """Judges the light of a solution, or of a scene solved as usual, by path tracing, as `radiosity audit` does.
 
     The walks know the scene alone: what a ray meets, what surfaces send and reflect, points on lamps. They share its import, the
@@ -138,6 +136,6 @@ def audit(
     """
     if not isinstance(of, (Scene, Solution)):
         raise TypeError(f"audit: a Scene or a Solution is wanted, not {type(of).__name__}")
+    solution = of.solve(progress=progress) if isinstance(of, Scene) else of
     with Shown(progress) as observer:
-        solution = of.solve(progress=progress) if isinstance(of, Scene) else of
         return Audit(_radiosity.audit_of(solution._native, auditing, observer))

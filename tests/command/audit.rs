@@ -215,7 +215,7 @@ fn wrong_inputs_are_refused() {
             &["--readings", "expected a whole number from 2"],
         );
     }
-    refused(&["audit", "room.toml", "--seed", "-1"], &["--seed"]);
+    refused(&["audit", "room.toml", "--seed", "-1"], &["--seed", "expected a whole number from 0"]);
     refused(&["audit", "dark.toml"], &["dark.toml: nothing emits light"]);
     refused(&["audit", "polygons.csv"], &["a list of polygons carries no materials", "view-factors"]);
     refused(

@@ -10,6 +10,7 @@ mod luminaires;
 mod skies;
 mod stacks;
 mod means;
+mod all;
 mod whole;
 mod random;
 mod alarms;

@@ -3,11 +3,13 @@
 //! A lamp is chosen with a probability about in proportion to what it may send: by descent of a binary tree
 //! over all lamps, at each fork by Φ / max(d², r²) of either child, with its flux Φ, the distance d of its box
 //! and the radius r of that; a child that lies behind the point, or all of whose lamps face away, is left out.
-//! On a surface a point is then drawn by area, on a line by length, on balls and near flat lamps by solid angle ([`ball`], [`facets`]).
+//! On a surface a point is then drawn by area, on a line by length, on balls and near flat lamps by solid angle
+//! ([`ball`], [`facets`]).
 //!
 //! Reference: A. Conty Estevez, C. Kulla, *Importance sampling of many lights with adaptive tree splitting*,
 //! Proc. ACM Comput. Graph. Interact. Tech. 1(2), 2018.
 
+mod on_lamp;
 mod ball;
 mod facets;
 mod tree;
@@ -22,9 +24,10 @@ use crate::groups::Groups;
 use crate::rays::{Place, Rays};
 use crate::skin::Skin;
 use crate::spectrum::Spectrum;
-use crate::spread::{Spread, SpreadPoint};
+use crate::spread::Spread;
 use ball::Ball;
 use facets::Facets;
+use on_lamp::OnLamp;
 use tree::{Leaf, Tree};
 
 /// The lamps of a scene.
@@ -192,43 +195,5 @@ impl Form {
             Self::Facets(facets) => facets.density(from),
             Self::Any => None,
         }
-    }
-}
-
-/// A point on the surface of a lamp, for a point that sees it.
-#[derive(Clone, Copy, Debug)]
-struct OnLamp {
-    point: DVec3,
-    normal: DVec3,
-    /// Its parameters, where anybody asks.
-    parameters: [f64; 2],
-    /// Unit vector from the point that sees it.
-    along: DVec3,
-    /// Density of such points per solid angle.
-    density: f64,
-}
-
-impl OnLamp {
-    /// A point drawn by area, for the point `from`; None where it faces away.
-    fn of<'a>(
-        on: SpreadPoint,
-        from: DVec3,
-        shape: impl Fn() -> &'a Arc<dyn Surface>,
-        skin: &Skin,
-    ) -> Option<Self> {
-        let step = on.point - from;
-        let squared = step.length_squared();
-        let along = step / squared.sqrt();
-        let leaving = -on.normal.dot(along);
-        if leaving <= 0.0 {
-            return None;
-        }
-        let parameters = match on.parameters {
-            Some(parameters) => parameters,
-            None if skin.is_patterned() => shape().invert(on.point)?,
-            None => [0.0; 2],
-        };
-        let density = on.density * squared / leaving;
-        Some(Self { point: on.point, normal: on.normal, parameters, along, density })
     }
 }

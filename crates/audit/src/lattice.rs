@@ -49,7 +49,7 @@ impl Lattice {
     #[inline]
     fn at(&self, k: u64, dimension: usize) -> f64 {
         // The product is reduced as an integer, so that no digit is lost.
-        let place = (k * self.generators[dimension] & (self.count - 1)) as f64 / self.count as f64;
+        let place = ((k * self.generators[dimension]) & (self.count - 1)) as f64 / self.count as f64;
         let moved = place + self.shift[dimension];
         if moved >= 1.0 { moved - 1.0 } else { moved }
     }

@@ -52,7 +52,7 @@ pub(crate) struct Place {
     pub(crate) normal: DVec3,
 }
 
-/// What a ray meets first.
+/// First thing that a ray meets.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Met {
     /// The front of a surface.
@@ -100,18 +100,18 @@ impl Rays {
         self.shapes.len()
     }
 
-    /// The surfaces' largest coordinate of direction-free size: the distance that rays start before a point.
+    /// Distance δ before a point at which its rays start (scene length).
     pub(crate) fn start(&self) -> f64 {
         self.start
     }
 
-    /// What a ray meets first that leaves `point` by the unit vector `normal` in the unit direction `along`.
+    /// First thing that a ray meets which leaves `point` by the unit vector `normal` in the unit direction `along`.
     #[inline]
     pub(crate) fn first(&self, point: DVec3, normal: DVec3, along: DVec3) -> Met {
         self.met(&Ray::new(point + self.start * normal, along))
     }
 
-    /// What a ray meets first.
+    /// First thing that a ray meets.
     pub(crate) fn met(&self, ray: &Ray) -> Met {
         let Some(met) = self.tree.nearest(ray) else { return Met::Nothing };
         let surface = self.order[met.surface];

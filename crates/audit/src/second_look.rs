@@ -68,7 +68,7 @@ mod tests {
         let referee = Referee::of_light(&scene.build().unwrap());
         let spots: Vec<Spot> = referee.sample(40, 0).into_iter().map(|point| point.spot).collect();
         let effort = Effort::of_walks(1024.0);
-        let long = referee.estimates(&spots, &Effort::of_walks(65536.0).seeded(7), &Work::alone());
+        let long = referee.estimates(&spots, &Effort::of_walks(16384.0).seeded(7), &Work::alone());
         let short = referee.estimates(&spots, &effort, &Work::alone());
         let judged = long.into_iter().zip(short).map(|(long, short)| Judged {
             printed: long.bands.iter().map(|mean| mean.value).collect(),

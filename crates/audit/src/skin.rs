@@ -28,11 +28,11 @@ pub(crate) struct Skin {
     reflectance: Spectrum,
     reflectance_pattern: Option<Arc<Pattern>>,
     pub(crate) transmittance: Spectrum,
-    /// What the side absorbs and sends out again somewhere on its sheet.
+    /// Fate of light that the side absorbs.
     pub(crate) absorbed: Absorbed,
 }
 
-/// What becomes of light that a side absorbs.
+/// Fate of light that a side absorbs.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Absorbed {
     /// It is gone.

@@ -1,4 +1,4 @@
-//! What is read: a point, a surface, a part of one, a pixel.
+//! Spots that are read: a point, a surface, a part of one, a pixel.
 
 use radiosity_geom::{DVec3, Ray, Rect};
 use radiosity_scene::Camera;
@@ -7,7 +7,7 @@ use crate::rays::{Place, Rays};
 use crate::spread::Spread;
 use crate::walk::Vertex;
 
-/// What a reading is of. Coordinates are those that the scene is computed in: its middle is subtracted
+/// A place that is read. Coordinates are those that the scene is computed in: its middle is subtracted
 /// ([`radiosity_scene::Scene::middle`]).
 #[derive(Clone, Debug, PartialEq)]
 pub enum Spot {
@@ -62,7 +62,7 @@ impl Pixel {
     }
 }
 
-/// What walks start from.
+/// Starts of walks.
 #[derive(Debug)]
 pub(crate) enum Start<'a> {
     Point(Vertex),

@@ -1,4 +1,4 @@
-//! What the referee says of printed numbers.
+//! The referee's verdict on printed numbers.
 //!
 //! Of n readings Ê_i with the unbiased means M_i ± s_i, independent of Ê_i, and d_i = Ê_i − M_i,
 //!
@@ -50,7 +50,7 @@ pub struct Judged {
     pub printed: Vec<f64>,
     /// The light of each group by itself, in the order of the estimate's; empty where it was not printed.
     pub printed_groups: Vec<Vec<f64>>,
-    /// What the referee found.
+    /// The estimate of the referee.
     pub estimate: Estimate,
     /// Weight w of the reading, e.g. the area that it stands for.
     pub weight: f64,
@@ -96,7 +96,7 @@ pub struct SignedMean {
     pub error: f64,
     /// Degrees of freedom of that error.
     pub freedom: f64,
-    /// What is true in the mean over the L2 mean of all readings, 1 at the most; 1 for a light group.
+    /// True light in the mean over the L2 mean of all readings, 1 at the most; 1 for a light group.
     pub brightness: f64,
     /// Whether it exceeds chance.
     pub is_finding: bool,
@@ -113,7 +113,7 @@ pub struct WorstReading {
     pub band: usize,
     /// The printed number.
     pub printed: f64,
-    /// What the referee found.
+    /// The mean that the referee found.
     pub found: Mean,
     /// Whether it differs by more than chance and by a hundredth of the mean.
     pub is_outlier: bool,
@@ -266,7 +266,7 @@ impl SignedMean {
     }
 }
 
-/// What a reading adds to sums over readings, all bands together.
+/// Parts of a reading in sums over readings, all bands together.
 struct Terms {
     above: f64,
     below: f64,
@@ -317,7 +317,7 @@ fn signed_means(judged: &[Judged], groups: &[Option<String>], squares: f64) -> V
     all
 }
 
-/// What a signed mean is of.
+/// Subject of a signed mean.
 #[derive(PartialEq, Eq, PartialOrd, Ord)]
 enum Class<'a> {
     /// A surface or a plane.

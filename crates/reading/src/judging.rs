@@ -22,7 +22,7 @@ use crate::reader::ReadMode;
 /// surfaces send them their light.
 const OF_SURFACES: f64 = 2.0 / 3.0;
 
-/// What is judged, and how thoroughly.
+/// The readings that are to be judged, and the effort for them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Judging {
     /// About the number of readings.
@@ -40,7 +40,7 @@ pub struct Judging {
 pub struct JudgedReading {
     /// The place, in the coordinates that the scene was given in.
     pub probe: Probe,
-    /// What was printed there, and what the referee found.
+    /// The printed numbers there, beside what the referee found.
     pub judged: Judged,
 }
 
@@ -51,7 +51,7 @@ pub struct JudgedRun {
     pub readings: Vec<JudgedReading>,
     /// Places that could not be read: by polynomials there is light on surfaces alone.
     pub unread: usize,
-    /// What the referee says of them.
+    /// The referee's verdict on them.
     pub verdict: Verdict,
 }
 

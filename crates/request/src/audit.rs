@@ -7,7 +7,7 @@ use radiosity_scene::Scene;
 use radiosity_solve::solved::Solved;
 use serde::Deserialize;
 
-use super::ranges::{Number, Readings, Seconds};
+use super::ranges::{Number, Readings, Seconds, Seed};
 
 /// Seconds of looking unless told otherwise. Chosen: most rooms then show errors of half a percent.
 const SECONDS: f64 = 2.0;
@@ -32,11 +32,11 @@ pub struct AuditRequest {
 
     /// Chooses other places and other rays [default: 0]
     #[cfg_attr(feature = "clap", arg(long, value_name = "K", allow_negative_numbers = true))]
-    pub seed: Option<u64>,
+    pub seed: Option<Seed>,
 }
 
 impl AuditRequest {
-    /// What is judged of a solution that is read with `settings`.
+    /// The readings to be judged of a solution that is read with `settings`.
     pub fn judging(&self, solved: &Solved, settings: &ReadSettings) -> Judging {
         let readings = self.readings();
         let effort = self.effort(readings, &solved.scene);
@@ -60,6 +60,6 @@ impl AuditRequest {
     }
 
     fn seed(&self) -> u64 {
-        self.seed.unwrap_or(0)
+        self.seed.map_or(0, u64::from)
     }
 }

@@ -52,6 +52,9 @@ pub type Samples = WholeNumber<1, 64>;
 /// their walks take a minute at the least.
 pub type Readings = WholeNumber<2, 100_000>;
 
+/// Seed of draws.
+pub type Seed = WholeNumber<0, { u64::MAX }>;
+
 /// Whole number from `LEAST` to `MOST`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct WholeNumber<const LEAST: u64, const MOST: u64>(u64);

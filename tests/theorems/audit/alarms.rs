@@ -91,9 +91,9 @@ sphere = { center = [3, 3, 1], radius = 0.4 }
     );
     let referee = Referee::of_light(&scene);
     let run = |seed: u64| {
-        let points = referee.sample(64, seed);
+        let points = referee.sample(32, seed);
         let spots: Vec<Spot> = points.iter().map(|own| own.spot.clone()).collect();
-        let found = referee.estimates(&spots, &Effort::of_walks(256.0).seeded(seed), &Work::alone());
+        let found = referee.estimates(&spots, &Effort::of_walks(128.0).seeded(seed), &Work::alone());
         let judged = found.into_iter().zip(&points).map(|(estimate, point)| Judged {
             printed: vec![3.0],
             printed_groups: Vec::new(),

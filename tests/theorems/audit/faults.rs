@@ -1,7 +1,7 @@
 //! Faults that are planted: printed numbers are those of a program that errs in one thing, while the referee sees
 //! the scene as it is. Each is found, and its place is among the three worst.
 //!
-//! What errs stands in elements, blocks, or direct light, of which the referee knows nothing: the program is given
+//! Each error stands in elements, blocks, or direct light, of which the referee knows nothing: the program is given
 //! another scene, or part of what it finds is changed.
 
 use std::sync::LazyLock;
@@ -21,8 +21,8 @@ const SECONDS: f64 = 1.0;
 /// Readings of a run.
 const READINGS: usize = 192;
 
-/// Error that the program may tell of itself. Chosen: it tells 0.12 %.
-const TOLD: f64 = 0.004;
+/// Error that is no finding. Chosen: at its defaults the program errs by 0.6 % on a wall of the room.
+const TOLD: f64 = 0.01;
 
 /// Places, or surfaces, that are named.
 const NAMED: usize = 3;
@@ -98,15 +98,17 @@ struct Seen {
 static ROOM_SEEN: LazyLock<Seen> = LazyLock::new(|| {
     let scene = typed(ROOM);
     let referee = Referee::of_light(&scene);
-    let sample = referee.sample(READINGS, 0);
+    // Nobody reads the light on lamps.
+    let is_read = |own: &SamplePoint| !scene.surfaces[own.surface].name.contains("lamp");
+    let sample: Vec<SamplePoint> = referee.sample(READINGS, 0).into_iter().filter(is_read).collect();
     let spots: Vec<Spot> = sample.iter().map(|own| own.spot.clone()).collect();
-    let effort = Effort::of_seconds(SECONDS, spots.len(), scene.surfaces.len()).seeded(9);
+    let effort = Effort::of_seconds(SECONDS, spots.len(), &scene).seeded(9);
     let found = referee.estimates(&spots, &effort, &Work::alone());
     Seen { scene, sample, found }
 });
 
 impl Seen {
-    /// What the program prints of another scene at the points of this one.
+    /// Numbers that the program prints of another scene at the points of this one.
     fn printed(&self, other: Scene) -> Vec<f64> {
         let solved = solved_of(other, Options::default());
         let reader = Quality::Default.reading().reader(&solved.outcome.solution, solved.visibility());
@@ -180,14 +182,16 @@ fn weights_that_are_a_hundredth_off_are_found() {
 #[test]
 fn a_blocker_that_is_left_out_is_found() {
     let found = ROOM_SEEN.verdict_on(room_with(&part_of_room("screen"), ""));
-    // What it shades are the floor and the wall behind it, and its own sides.
+    // It shades the floor and the wall behind it, and its own sides.
     assert_caught(&found, &["screen", "floor", "left", "room"]);
 }
 
 #[test]
 fn a_face_that_is_turned_is_found() {
     let mat = part_of_room("mat");
-    assert_caught(&ROOM_SEEN.verdict_on(room_with(&mat, &(mat.clone() + "flip = true\n"))), &["mat"]);
+    // It is black from above, and the ceiling is the darker for it.
+    let found = ROOM_SEEN.verdict_on(room_with(&mat, &(mat.clone() + "flip = true\n")));
+    assert_caught(&found, &["mat", "room-top"]);
 }
 
 #[test]

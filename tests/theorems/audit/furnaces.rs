@@ -9,14 +9,14 @@ use radiosity_geom::shapes::{
     Bezier, Cone, Cylinder, Disk, Extrusion, FULL_TURN, Parallelogram, Polygon, Revolution, Sphere, Torus,
 };
 use radiosity_geom::{Aabb, DVec3, Rect, Surface};
-use radiosity_test_support::gallery::gallery;
+use radiosity_test_support::gallery::{Exhibit, gallery};
 use radiosity_test_support::scenes::typed;
 use radiosity_test_support::shapes::{ball, disk, faces, inside};
 
 use super::fairness::assert_fair;
 use super::trial::{Trial, quotients};
 
-/// What arrives everywhere.
+/// Irradiance everywhere.
 const LIGHT: f64 = 3.0;
 
 const WALKS: f64 = 1024.0;
@@ -186,29 +186,31 @@ fn box_with_balls() -> Vec<Arc<dyn Surface>> {
     all
 }
 
-fn trials_of_sheets() -> Vec<Trial> {
-    let sheet = |exhibit: radiosity_test_support::gallery::Exhibit| {
+pub(super) fn sheets() -> Vec<Trial> {
+    let sheet = |exhibit: Exhibit| {
         let trial = Trial::of(exhibit.name, sheet_in_a_box(Arc::from(exhibit.surface)));
         trial.everywhere(12, &[LIGHT])
     };
     gallery().into_iter().map(sheet).collect()
 }
 
+pub(super) fn concave() -> Vec<Trial> {
+    let trial = |(name, shapes)| Trial::of(name, furnace(shapes)).everywhere(12, &[LIGHT]);
+    closed_shapes().into_iter().map(trial).collect()
+}
+
 #[test]
 fn rooms_of_concave_shapes_are_furnaces() {
-    let trial = |(name, shapes)| Trial::of(name, furnace(shapes)).everywhere(12, &[LIGHT]);
-    let trials: Vec<Trial> = closed_shapes().into_iter().map(trial).collect();
-    assert_fair(&quotients(&trials, WALKS, 100));
+    assert_fair(&quotients(&concave(), WALKS, 100));
 }
 
 #[test]
 fn sheets_of_all_shapes_are_as_bright_on_both_sides() {
-    assert_fair(&quotients(&trials_of_sheets(), WALKS, 200));
+    assert_fair(&quotients(&sheets(), WALKS, 200));
 }
 
 /// Reflectance varies as ρ(u, v), and the emission is (1 − ρ(u, v)) E.
-#[test]
-fn patterns_are_furnaces() {
+pub(super) fn patterns() -> Vec<Trial> {
     let text = r#"
 bands = ["lm"]
 materials.wall = { reflectance = 0.5, emission = 1.5 }
@@ -240,5 +242,10 @@ bezier = { points = [
  [[1.5,0.5,1.0],[1.5,0.9,1.2],[1.5,1.3,1.2],[1.5,1.7,1.0]]] }
 "#;
     let trial = Trial::of("patterns", typed(text)).everywhere(60, &[LIGHT]);
-    assert_fair(&quotients(&[trial], 4.0 * WALKS, 300));
+    vec![trial]
+}
+
+#[test]
+fn patterns_are_furnaces() {
+    assert_fair(&quotients(&patterns(), 4.0 * WALKS, 300));
 }

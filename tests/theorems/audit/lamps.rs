@@ -71,7 +71,7 @@ fn of_points(
 }
 
 /// Flat exhibits by Lambert's form, holes taken off.
-fn polygons() -> Vec<Trial> {
+pub(super) fn polygons() -> Vec<Trial> {
     let trial = |(seed, Exhibit { name, surface, .. }): (u64, Exhibit)| {
         let region = surface.region()?;
         let (outer, holes, front) = (region.outer().to_vec(), region.holes().to_vec(), region.normal());
@@ -86,7 +86,7 @@ fn polygons() -> Vec<Trial> {
 }
 
 /// Disks as polygons of many sides, and above their middles by π M r²/(r² + h²).
-fn disks() -> Vec<Trial> {
+pub(super) fn disks() -> Vec<Trial> {
     let (center, normal, radius) = (DVec3::new(0.3, 0.2, -0.1), DVec3::new(0.2, 0.4, 1.0).normalize(), 0.6);
     let (a, b) = normal.any_orthonormal_pair();
     let rim = |k: usize, radius: f64| {
@@ -109,7 +109,7 @@ fn disks() -> Vec<Trial> {
 }
 
 /// E = M (r/d)² cos θ.
-fn balls() -> Vec<Trial> {
+pub(super) fn balls() -> Vec<Trial> {
     let (center, radius) = (DVec3::new(-0.4, 0.1, 0.2), 0.8);
     let exact = move |x: DVec3, n: DVec3| {
         let step = center - x;

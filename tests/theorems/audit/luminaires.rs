@@ -147,8 +147,7 @@ fn webs() -> Vec<(Web, bool)> {
     webs
 }
 
-#[test]
-fn photometric_tables_light_by_inverse_squares() {
+pub(super) fn tables() -> Vec<Trial> {
     let lamp = |(k, (web, is_eulumdat)): (usize, (Web, bool))| {
         let file = if is_eulumdat { ("lamp.ldt", web.eulumdat()) } else { ("lamp.ies", web.ies()) };
         Lamp {
@@ -161,8 +160,12 @@ fn photometric_tables_light_by_inverse_squares() {
         }
     };
     let lamps = webs().into_iter().enumerate().map(lamp);
-    let trials: Vec<Trial> = (0..).zip(lamps).map(|(seed, lamp)| lamp.trial(seed, 12)).collect();
-    assert_fair(&quotients(&trials, WALKS, 700));
+    (0..).zip(lamps).map(|(seed, lamp)| lamp.trial(seed, 12)).collect()
+}
+
+#[test]
+fn photometric_tables_light_by_inverse_squares() {
+    assert_fair(&quotients(&tables(), WALKS, 700));
 }
 
 fn spots() -> Vec<Lamp> {
@@ -203,8 +206,11 @@ fn spots() -> Vec<Lamp> {
     lamps
 }
 
+pub(super) fn distributions() -> Vec<Trial> {
+    (50..).zip(spots()).map(|(seed, lamp)| lamp.trial(seed, 12)).collect()
+}
+
 #[test]
 fn spots_and_points_light_by_inverse_squares() {
-    let trials: Vec<Trial> = (50..).zip(spots()).map(|(seed, lamp)| lamp.trial(seed, 12)).collect();
-    assert_fair(&quotients(&trials, WALKS, 800));
+    assert_fair(&quotients(&distributions(), WALKS, 800));
 }

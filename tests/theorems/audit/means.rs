@@ -66,8 +66,7 @@ const SEEN: [&str; 13] = [
     "rational sphere octant",
 ];
 
-#[test]
-fn surfaces_and_cells_receive_their_means() {
+pub(super) fn cells() -> Vec<Trial> {
     let rects = [
         Rect::FULL,
         Rect { u: [-1.0, -0.2], v: [-0.4, 1.0] },
@@ -88,12 +87,16 @@ fn surfaces_and_cells_receive_their_means() {
         }
         trials.push(trial);
     }
-    assert_fair(&quotients(&trials, WALKS, 1200));
+    trials
+}
+
+#[test]
+fn surfaces_and_cells_receive_their_means() {
+    assert_fair(&quotients(&cells(), WALKS, 1200));
 }
 
 /// Through a pixel comes ρ E, by the mean over its area.
-#[test]
-fn pixels_show_what_their_surface_reflects() {
+pub(super) fn pixels() -> Vec<Trial> {
     let source = DVec3::new(0.3, 0.2, 0.6);
     let corner = DVec3::new(-2.0, -2.0, 0.0);
     let shape = radiosity_test_support::shapes::wall(corner, 4.0 * DVec3::X, 4.0 * DVec3::Y);
@@ -121,5 +124,10 @@ fn pixels_show_what_their_surface_reflects() {
             trial = trial.spot(Spot::Pixel(Pixel::of(&seen, column, row)), &[sum / (PARTS * PARTS) as f64]);
         }
     }
-    assert_fair(&quotients(&[trial], 256.0, 1300));
+    vec![trial]
+}
+
+#[test]
+fn pixels_show_what_their_surface_reflects() {
+    assert_fair(&quotients(&pixels(), 256.0, 1300));
 }

@@ -97,7 +97,7 @@ impl Outside {
     }
 }
 
-/// What two panes of the index 1.5 let through, of which the glass itself absorbs as much as makes it 0.7 along
+/// Transmittance of two panes of the index 1.5, of which the glass itself absorbs as much as makes it 0.7 along
 /// the normal (Fresnel; Duffie and Beckman, section 5.3).
 fn glass(cosine: f64) -> f64 {
     let bare = |cosine: f64| {
@@ -220,8 +220,7 @@ fn trial(model: Model, up: DVec3, beam: f64, window: Window, seed: u64) -> Trial
     trial
 }
 
-#[test]
-fn windows_give_what_their_skies_send() {
+pub(super) fn windows() -> Vec<Trial> {
     // A window to the south, its front to the north; a skylight; one that leans.
     let south = |has_glass| Window {
         corner: DVec3::new(-1.0, 0.0, 0.8),
@@ -242,7 +241,12 @@ fn windows_give_what_their_skies_send() {
             }
         }
     }
-    assert_fair(&quotients(&trials, WALKS, 900));
+    trials
+}
+
+#[test]
+fn windows_give_what_their_skies_send() {
+    assert_fair(&quotients(&windows(), WALKS, 900));
 }
 
 /// A rule over cells of the opening that the horizon crosses, at sensors at the height of eyes: errors of both signs,

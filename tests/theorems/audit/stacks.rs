@@ -50,8 +50,7 @@ const DISK: &str = "disk = { center = [1.4, 1.4, Z], normal = [0, 0, 1], radius 
 const SQUARE: &str = "parallelogram = { origin = [1.2, 1.2, Z], edge1 = [0.5, 0, 0], edge2 = [0, 0.5, 0] }";
 
 /// On a mat and on the desk beside it arrives the light of the lamp; from below the desk, none.
-#[test]
-fn mats_on_desks_receive_what_the_lamp_sends() {
+pub(super) fn mats() -> Vec<Trial> {
     let mut trials = Vec::new();
     for gap in [0.0, 1e-12, 1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3] {
         for (form, name) in [(POLYGON, "polygon"), (SQUARE, "square"), (DISK, "disk")] {
@@ -73,12 +72,16 @@ fn mats_on_desks_receive_what_the_lamp_sends() {
             }
         }
     }
-    assert_fair(&quotients(&trials, WALKS, 1000));
+    trials
+}
+
+#[test]
+fn mats_on_desks_receive_what_the_lamp_sends() {
+    assert_fair(&quotients(&mats(), WALKS, 1000));
 }
 
 /// In the furnace of a desk with a hole: within 1e-4 of its rim and of its outline, above, below, and upright.
-#[test]
-fn sensors_beside_rims_receive_what_the_room_sends() {
+pub(super) fn rims() -> Vec<Trial> {
     let text = r#"
 bands = ["lm"]
 materials.wall = { reflectance = 0.5, emission = 1.5 }
@@ -108,5 +111,10 @@ polygon = { vertices = [[1, 1, 0.75], [3, 1, 0.75], [3, 2.5, 0.75], [1, 2.5, 0.7
             }
         }
     }
-    assert_fair(&quotients(&[trial], WALKS, 1100));
+    vec![trial]
+}
+
+#[test]
+fn sensors_beside_rims_receive_what_the_room_sends() {
+    assert_fair(&quotients(&rims(), WALKS, 1100));
 }

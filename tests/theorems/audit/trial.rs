@@ -51,7 +51,7 @@ impl Trial {
         sample.into_iter().fold(self, |own, point| own.spot(point.spot, exact))
     }
 
-    /// What the referee finds.
+    /// Estimates of the referee.
     pub(super) fn estimates(&self, walks: f64, seed: u64) -> Vec<Estimate> {
         let effort = Effort::of_walks(walks).seeded(seed);
         Referee::of_light(&self.scene).estimates(&self.spots, &effort, &Work::alone())

@@ -77,14 +77,14 @@ group = "bulb"
 }
 
 /// Lamps of weak groups are seldom chosen: with fewer walks their means are not normal.
-const WALKS: f64 = 4096.0;
+const WALKS: f64 = 2048.0;
 
 const GROUPS: [&str; 4] = ["lamp", "glow", "bulb", "window"];
 
 const ALL: [usize; 6] = [0, 1, 2, 3, 4, 5];
 
 fn spots(scene: &Scene) -> Vec<Spot> {
-    let points = Referee::of_light(scene).sample(16, 3).into_iter().map(|own| own.spot);
+    let points = Referee::of_light(scene).sample(12, 3).into_iter().map(|own| own.spot);
     points.chain((0..scene.surfaces.len()).map(Spot::Surface)).collect()
 }
 

@@ -13,7 +13,7 @@ use std::f64::consts::TAU;
 
 use radiosity_geom::{DVec3, Surface};
 
-use super::OnLamp;
+use super::on_lamp::OnLamp;
 
 /// Distance, as a part of the radius, within which points on the ball are drawn by area: the cone is then nearly a
 /// half-space, and its edge all rounding.

@@ -15,7 +15,7 @@
 
 use radiosity_geom::{DVec3, Surface};
 
-use super::OnLamp;
+use super::on_lamp::OnLamp;
 use crate::spread::triangles;
 
 /// Triangles of a lamp beyond which points are drawn by area: each takes as long as a tenth of a ray.

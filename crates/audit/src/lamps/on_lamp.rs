@@ -1,0 +1,51 @@
+//! Points on the surfaces of lamps.
+
+use std::sync::Arc;
+
+use radiosity_geom::{DVec3, Ray, Surface};
+
+use crate::skin::Skin;
+use crate::spread::SpreadPoint;
+
+/// A point on the surface of a lamp, for a point that sees it.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct OnLamp {
+    pub(super) point: DVec3,
+    pub(super) normal: DVec3,
+    /// Its parameters, where anybody asks.
+    pub(super) parameters: [f64; 2],
+    /// Unit vector from the point that sees it.
+    pub(super) along: DVec3,
+    /// Density of such points per solid angle.
+    pub(super) density: f64,
+}
+
+impl OnLamp {
+    /// A point drawn by area, for the point `from`; None where it faces away.
+    pub(super) fn of<'a>(
+        on: SpreadPoint,
+        from: DVec3,
+        shape: impl Fn() -> &'a Arc<dyn Surface>,
+        skin: &Skin,
+    ) -> Option<Self> {
+        let step = on.point - from;
+        let squared = step.length_squared();
+        let along = step / squared.sqrt();
+        let leaving = -on.normal.dot(along);
+        if leaving <= 0.0 {
+            return None;
+        }
+        let parameters = match on.parameters {
+            Some(parameters) => parameters,
+            // As a ray finds them.
+            None if skin.is_patterned() => {
+                let across = Ray::segment(on.point + on.normal, on.point - on.normal);
+                let hit = shape().intersect(&across)?;
+                [hit.u, hit.v]
+            }
+            None => [0.0; 2],
+        };
+        let density = on.density * squared / leaving;
+        Some(Self { point: on.point, normal: on.normal, parameters, along, density })
+    }
+}
