@@ -214,7 +214,7 @@ impl Judged {
         }
     }
 
-    /// What was found, all bands together.
+    /// The found number, all bands together.
     pub fn found(&self) -> f64 {
         self.estimate.bands.iter().map(|mean| mean.value).sum()
     }
