@@ -58,9 +58,9 @@ use roles::{Role, Roles};
 /// Kinds of light that walks of heat carry: of the levels, and of the level 1.
 const KINDS: usize = 2;
 
-/// Width of both long margins of a surface together, over the distance by which rays start before it. Chosen:
-/// touching is looked for within two such distances, and walls at an angle of 14° rise to those within eight.
-const MARGIN: f64 = 16.0;
+/// Width of both long margins of a surface together, over the distance within which others touch it. Chosen: walls at
+/// an angle of 14° rise to that within four such distances.
+const MARGIN: f64 = 8.0;
 
 /// A scene, whose heat is read by walks.
 #[derive(Debug)]
@@ -141,7 +141,7 @@ impl HeatReferee {
     fn margin(&self, surface: usize) -> f64 {
         let bounds = self.rays.shape(surface).bounds(&Rect::FULL);
         let length = (bounds.max - bounds.min).max_element();
-        MARGIN * self.rays.start() * length / self.rays.area(surface)
+        MARGIN * self.rays.touching(surface) * length / self.rays.area(surface)
     }
 
     fn estimate(&self, surface: usize, read: &BTreeMap<usize, &[Shift]>) -> HeatEstimate {

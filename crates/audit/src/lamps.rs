@@ -48,8 +48,10 @@ enum Lamp {
 /// A point on a lamp, as another point sees it without shadows.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct LampPoint {
-    /// Where a ray towards it ends.
+    /// The point.
     pub(crate) end: DVec3,
+    /// Index of its surface; None for luminaires without an area.
+    pub(crate) surface: Option<usize>,
     /// The irradiance that it would make if it were all there is, over the density of such points (W m⁻²).
     pub(crate) irradiance: Spectrum,
     /// Density of such points per solid angle; None where no ray can meet the lamp.
@@ -124,7 +126,8 @@ impl Lamps {
                 }
                 let density = share * on.density;
                 Some(LampPoint {
-                    end: on.point + rays.start() * on.normal,
+                    end: on.point,
+                    surface: Some(*surface),
                     irradiance: (cosine / (PI * density)) * skin.sent(on.parameters, -on.along),
                     density: Some(density),
                     group: groups.of_surface(*surface),
@@ -140,7 +143,13 @@ impl Lamps {
                     return None;
                 }
                 let factor = luminaire.relative(-along) * cosine / (squared * share);
-                Some(LampPoint { end, irradiance: factor * *strength, density: None, group: *group })
+                Some(LampPoint {
+                    end,
+                    surface: None,
+                    irradiance: factor * *strength,
+                    density: None,
+                    group: *group,
+                })
             }
         }
     }
@@ -157,7 +166,7 @@ impl Lamps {
         let step = place.point - point;
         let squared = step.length_squared();
         let leaving = -place.normal.dot(step) / squared.sqrt();
-        if leaving <= 0.0 {
+        if leaving.is_nan() || leaving <= 0.0 {
             return 0.0;
         }
         share * spread.density(place.parameters) * squared / leaving

@@ -1,24 +1,37 @@
 //! Surfaces as rays meet them.
 //!
-//! A ray that leaves a point starts the distance δ before it, along the normal that it leaves by: 10⁻⁷ of the
-//! largest extent. So a point in a stack of faces belongs to the uppermost on its side, and gaps narrower than
-//! δ are closed. A ray towards a point on a lamp ends δ before that. Of coplanar faces of one direction the
-//! smaller lies on the larger.
+//! A walk leaves a surface from just before the side that it leaves by, farther off than roundings reach: by 10⁻¹²
+//! of the largest coordinate where the surface is flat, by 10⁻⁷ of its size where it is curved. A point that is
+//! read, and lies within 10⁻⁶ of a surface's size of it, lies on it, and is read just before the uppermost of such
+//! surfaces on its side; surfaces larger than nine tenths of all count as no larger. Of coplanar faces of one direction the smaller lies on the larger.
 
 use std::sync::Arc;
 
 use radiosity_geom::{Aabb, Bvh, DVec3, Ray, RayTree, Rect, Surface};
 use radiosity_scene::Scene;
 
-/// δ over the largest extent of the scene. Chosen: a thousand times what curved surfaces err by, a tenth of the
-/// narrowest gap whose light anybody asks for.
-const START: f64 = 1e-7;
+use crate::spread::SpreadPoint;
 
-/// Distance from the start, in δ, within which other faces are found that cover it or touch it.
-const WITHIN: f64 = 2.0;
+/// Distance before a flat surface over the largest coordinate. Chosen: a thousand times what rounding moves a hit by.
+const BEFORE_FLAT: f64 = 1e-12;
 
-/// Part of δ within which faces lie in one plane.
+/// Distance before a curved surface over its size. Chosen: a thousand times what the roots of a ray err by.
+const BEFORE_CURVED: f64 = 1e-7;
+
+/// Part of the surfaces that are no larger than the usual size.
+const USUAL: f64 = 0.9;
+
+/// Distance from a surface over its size within which a point that is read lies on it: as readings are typed.
+const ON_SURFACE: f64 = 1e-6;
+
+/// Distance from a surface over its size within which other faces cover it or touch it.
+const TOUCHING: f64 = 2e-7;
+
+/// Part of that within which faces lie in one plane.
 const COPLANAR: f64 = 1e-2;
+
+/// Distance from a point on a lamp over the lamp's size within which a ray towards it meets that point.
+const MEETS: f64 = 1e-6;
 
 /// Relative distance along a ray within which the other side of a sheet is looked for.
 const SAME_PLACE: f64 = 1e-9;
@@ -36,8 +49,12 @@ pub(crate) struct Rays {
     areas: Vec<f64>,
     other_sides: Vec<Option<usize>>,
     boxes: Bvh,
-    /// δ (scene length).
-    start: f64,
+    /// Diagonals of the surfaces' boxes.
+    sizes: Vec<f64>,
+    /// Size that nine tenths of the surfaces do not exceed.
+    usual_size: f64,
+    /// Distance before flat surfaces from which walks leave them (scene length).
+    before_flat: f64,
 }
 
 /// Place where a ray meets the front of a surface.
@@ -50,6 +67,14 @@ pub(crate) struct Place {
     pub(crate) point: DVec3,
     /// Unit normal of the front.
     pub(crate) normal: DVec3,
+}
+
+impl Place {
+    /// A point that is spread over a surface.
+    pub(crate) fn on(surface: usize, on: &SpreadPoint) -> Self {
+        let parameters = on.parameters.unwrap_or_default();
+        Self { surface, parameters, point: on.point, normal: on.normal }
+    }
 }
 
 /// First thing that a ray meets.
@@ -73,6 +98,7 @@ impl Rays {
         let tree = RayTree::new(order.iter().map(|k| Arc::clone(&shapes[*k])).collect());
         let boxes: Vec<Aabb> = shapes.iter().map(|shape| shape.bounds(&Rect::FULL)).collect();
         let bounds = boxes.iter().copied().fold(Aabb::EMPTY, Aabb::union);
+        let sizes: Vec<f64> = boxes.iter().map(Aabb::diagonal).collect();
         Self {
             tree,
             order,
@@ -81,7 +107,9 @@ impl Rays {
             areas,
             other_sides: scene.surfaces.iter().map(|surface| surface.other_side).collect(),
             boxes: Bvh::build(&boxes),
-            start: START * (bounds.max - bounds.min).max_element(),
+            before_flat: BEFORE_FLAT * bounds.min.abs().max(bounds.max.abs()).max_element(),
+            usual_size: usual(&sizes),
+            sizes,
         }
     }
 
@@ -100,15 +128,44 @@ impl Rays {
         self.shapes.len()
     }
 
-    /// Distance δ before a point at which its rays start (scene length).
-    pub(crate) fn start(&self) -> f64 {
-        self.start
+    /// Distance from a surface within which others touch it (scene length).
+    pub(crate) fn touching(&self, surface: usize) -> f64 {
+        TOUCHING * self.sizes[surface]
     }
 
-    /// First thing that a ray meets which leaves `point` by the unit vector `normal` in the unit direction `along`.
+    /// Distance before a surface from which walks leave it (scene length).
+    fn before(&self, surface: usize) -> f64 {
+        match self.normals[surface] {
+            Some(_) => self.before_flat,
+            None => BEFORE_CURVED * self.sizes[surface],
+        }
+    }
+
+    /// The point from which a walk leaves a place on a surface by a unit normal of either side.
     #[inline]
-    pub(crate) fn first(&self, point: DVec3, normal: DVec3, along: DVec3) -> Met {
-        self.met(&Ray::new(point + self.start * normal, along))
+    pub(crate) fn left(&self, place: &Place, normal: DVec3) -> DVec3 {
+        place.point + self.before(place.surface) * normal
+    }
+
+    /// The point from which light is read at `point` along a unit normal: just before the uppermost of the surfaces
+    /// that it lies on, or itself where it lies on none.
+    pub(crate) fn read_from(&self, point: DVec3, normal: DVec3) -> DVec3 {
+        let reach = ON_SURFACE * self.usual_size;
+        let around = Aabb::around([point - reach * normal, point + reach * normal]);
+        let height = |surface: usize| {
+            let near = ON_SURFACE * self.sizes[surface].min(self.usual_size);
+            let across = Ray::segment(point + near * normal, point - near * normal);
+            let hit = self.shapes[surface].intersect(&across)?;
+            Some((1.0 - 2.0 * hit.t) * near + self.before(surface))
+        };
+        let heights = self.boxes.near(&around).into_iter().filter_map(height);
+        point + heights.fold(0.0, f64::max) * normal
+    }
+
+    /// First thing that a ray meets which starts at `point` in the unit direction `along`.
+    #[inline]
+    pub(crate) fn first(&self, point: DVec3, along: DVec3) -> Met {
+        self.met(&Ray::new(point, along))
     }
 
     /// First thing that a ray meets.
@@ -120,7 +177,7 @@ impl Rays {
         }
         // The back of a sheet is met where roundings put its front behind it.
         let Some(other) = self.other_sides[surface] else { return Met::Back };
-        let near = SAME_PLACE * met.hit.t + COPLANAR * self.start;
+        let near = SAME_PLACE * (met.hit.t + self.sizes[other]);
         let within = Ray { range: [met.hit.t - near, met.hit.t + near], ..*ray };
         match self.shapes[other].intersect(&within) {
             Some(hit) => Met::Front(self.place(ray, other, hit.t, [hit.u, hit.v])),
@@ -139,15 +196,29 @@ impl Rays {
         }
     }
 
-    /// Whether nothing stands between `point`, left by its normal, and `end`.
-    #[inline]
-    pub(crate) fn is_free(&self, point: DVec3, normal: DVec3, end: DVec3) -> bool {
-        self.tree.is_free(&Ray::segment(point + self.start * normal, end))
+    /// Whether nothing stands between `point` and `end`, a point of no surface or where one ends.
+    pub(crate) fn is_free(&self, point: DVec3, end: DVec3) -> bool {
+        self.tree.is_free(&Ray { range: [0.0, 1.0 - SAME_PLACE], ..Ray::segment(point, end) })
+    }
+
+    /// Whether a point on the front of a surface is what a ray towards it meets first.
+    pub(crate) fn sees(&self, point: DVec3, surface: usize, end: DVec3) -> bool {
+        match self.first(point, (end - point).normalize()) {
+            Met::Front(place) => {
+                place.surface == surface && place.point.distance(end) <= self.room_at(point, surface, end)
+            }
+            Met::Back | Met::Nothing => false,
+        }
+    }
+
+    /// Distance by which a ray towards a point of a surface may miss it: farther where it grazes.
+    fn room_at(&self, point: DVec3, surface: usize, end: DVec3) -> f64 {
+        MEETS * (self.sizes[surface] + point.distance(end))
     }
 
     /// Whether a place on a surface is the uppermost on its side, and not touched by what stands on it.
     pub(crate) fn is_bare(&self, place: &Place) -> bool {
-        let reach = WITHIN * self.start;
+        let reach = self.touching(place.surface);
         let [below, above] = [-reach, reach].map(|step| place.point + step * place.normal);
         let around = Aabb::around([below, above]).inflate(reach);
         let across = Ray::segment(above, below);
@@ -159,12 +230,20 @@ impl Rays {
             let Some(hit) = self.shapes[*other].intersect(&across) else { return false };
             let height = (1.0 - 2.0 * hit.t) * reach;
             let normal = self.normals[*other].unwrap_or_else(|| self.shapes[*other].jet(hit.u, hit.v).normal);
-            let is_coplanar = height.abs() <= COPLANAR * self.start;
+            let is_coplanar = height.abs() <= COPLANAR * reach;
             match is_coplanar && normal.dot(place.normal) > 0.0 {
                 true => self.areas[*other] < self.areas[place.surface],
-                false => height >= -COPLANAR * self.start,
+                false => height >= -COPLANAR * reach,
             }
         };
         !self.boxes.near(&around).iter().any(covers)
     }
+}
+
+/// The size that nine tenths of these do not exceed.
+fn usual(sizes: &[f64]) -> f64 {
+    let mut sorted = sizes.to_vec();
+    sorted.sort_by(f64::total_cmp);
+    let place = (USUAL * sorted.len().saturating_sub(1) as f64) as usize;
+    sorted.get(place).copied().unwrap_or(0.0)
 }

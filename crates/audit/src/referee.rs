@@ -191,6 +191,16 @@ fn estimate(shifts: &[Shift], bands: usize) -> Estimate {
     }
 }
 
+impl Estimate {
+    /// Whether all its numbers are such.
+    pub fn is_finite(&self) -> bool {
+        self.bands
+            .iter()
+            .chain(self.groups.iter().flatten())
+            .all(|mean| (mean.value + mean.error).is_finite())
+    }
+}
+
 impl Mean {
     /// The mean of independent values, at least two, and its standard error.
     pub fn of(values: &[f64]) -> Self {

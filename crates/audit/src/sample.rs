@@ -38,8 +38,7 @@ pub(crate) fn over_surfaces(rays: &Rays, count: usize, random: &mut Random) -> V
         let spread = Spread::over(rays.shape(surface), Rect::FULL);
         (0..TRIES).find_map(|_| {
             let on = spread.point([random.next(), random.next()])?;
-            let parameters = on.parameters.unwrap_or_default();
-            let place = Place { surface, parameters, point: on.point, normal: on.normal };
+            let place = Place::on(surface, &on);
             let spot = Spot::Point { position: on.point, normal: on.normal };
             rays.is_bare(&place).then_some(SamplePoint { surface, spot })
         })

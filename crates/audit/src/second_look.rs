@@ -3,13 +3,14 @@
 //! A few walks in a thousand may carry most of the light: where none of them was drawn, a mean is too low and
 //! its error too small, and a right reading stands out. If a first verdict finds more than the run tells, the
 //! readings that make it do so, at most [`MOST`], are estimated again by four times as many walks with other
-//! draws. These estimates do not depend on the choice of the readings and take the place of the first; the
-//! verdict is then made anew. What is wrong stands out again, what was chance does not.
+//! draws. If these readings by themselves are found to be off again, the first verdict stands: it is of all
+//! readings, none of them chosen. If not, it was chance: their new estimates take the place of the first, and the
+//! verdict is made anew.
 
 use radiosity_work::Work;
 
 use crate::effort::Effort;
-use crate::referee::Referee;
+use crate::referee::{Estimate, Referee};
 use crate::spot::Spot;
 use crate::verdict::{Judged, Verdict};
 
@@ -19,7 +20,7 @@ const MOST: usize = 16;
 impl Referee {
     /// The verdict on `judged`, the readings of `spots` with estimates by `effort`, for a run that tells the
     /// relative error `told`; `worst` readings are named. Where it finds more than that, the readings that
-    /// stand out are estimated again.
+    /// stand out are estimated again, and it stands or is made anew.
     ///
     /// # Panics
     /// If there is not a spot for each reading.
@@ -43,8 +44,14 @@ impl Referee {
         let before = rays(judged);
         let estimates = self.estimates(&again, &effort.again(), work);
         let added: u64 = estimates.iter().map(|own| own.rays).sum();
-        for (reading, estimate) in chosen.into_iter().zip(estimates) {
-            judged[reading].estimate = estimate;
+        let looked_at =
+            |(reading, estimate): (&usize, Estimate)| Judged { estimate, ..judged[*reading].clone() };
+        let second: Vec<Judged> = chosen.iter().zip(estimates).map(looked_at).collect();
+        if Verdict::by_groups(&second, self.groups(), worst).finds(told) {
+            return Verdict { rays: before + added, ..first };
+        }
+        for (reading, own) in chosen.into_iter().zip(second) {
+            judged[reading] = own;
         }
         Verdict { rays: before + added, ..Verdict::by_groups(judged, self.groups(), worst) }
     }
@@ -102,6 +109,21 @@ mod tests {
         assert!(verdict.finds(TOLD), "{verdict:?}");
         assert_eq!(verdict.worst[0].reading, 5);
         assert!(verdict.worst[0].is_outlier);
+    }
+
+    /// Faults of all readings, each smaller than the noise of one, of one sign and of either.
+    #[test]
+    fn faults_of_all_readings_are_found_again() {
+        for signs in [[1.0, 1.0], [1.0, -1.0]] {
+            let (referee, spots, mut judged, effort) = floor();
+            for (own, sign) in judged.iter_mut().zip(signs.into_iter().cycle()) {
+                own.printed[0] += 2.0 * sign * own.estimate.bands[0].error;
+            }
+            let first = Verdict::of(&judged, 3);
+            let verdict = referee.verdict(&spots, &mut judged, 0.0, 3, &effort, &Work::alone());
+            assert!(first.finds(0.0) && verdict.finds(0.0), "{first:?} {verdict:?}");
+            assert_eq!(verdict.squared, first.squared);
+        }
     }
 
     #[test]

@@ -15,7 +15,7 @@ use radiosity_geom::Rect;
 use crate::lattice::{DIMENSIONS, Draws, Lattice};
 use crate::random::Random;
 use crate::rays::{Place, Rays};
-use crate::spread::{Spread, SpreadPoint};
+use crate::spread::Spread;
 
 /// Tries to find a point that nothing stands on. Chosen: where a hundredth of a sheet is bare, 7 % of the
 /// walks that it absorbs would be lost, at a tenth one in 5 × 10¹¹.
@@ -51,24 +51,20 @@ impl Sheet {
         Self { level: flux * bare[0] / sum, first: absorbing[0] / sum, sides, spreads }
     }
 
-    /// The point that a walk leaves from, with its weight.
-    pub(crate) fn leave(&self, rays: &Rays, draws: &mut Draws<'_>) -> Option<(SpreadPoint, f64)> {
+    /// The place that a walk leaves from, with its weight.
+    pub(crate) fn leave(&self, rays: &Rays, draws: &mut Draws<'_>) -> Option<(Place, f64)> {
         for _ in 0..TRIES {
             let side = usize::from(draws.next() >= self.first);
             let spread = &self.spreads[side];
             let point = spread.point(draws.pair())?;
-            if rays.is_bare(&place(self.sides[side], &point)) {
-                return Some((point, spread.weight(&point)));
+            let place = Place::on(self.sides[side], &point);
+            if rays.is_bare(&place) {
+                return Some((place, spread.weight(&point)));
             }
             draws.go_to(DIMENSIONS);
         }
         None
     }
-}
-
-fn place(surface: usize, on: &SpreadPoint) -> Place {
-    let parameters = on.parameters.unwrap_or_default();
-    Place { surface, parameters, point: on.point, normal: on.normal }
 }
 
 /// The part of a surface that nothing stands on; 1 where no point is covered.
@@ -81,7 +77,7 @@ fn bare_part(rays: &Rays, surface: usize, spread: &Spread) -> f64 {
         let Some(point) = spread.point(draws.pair()) else { continue };
         let weight = spread.weight(&point);
         all += weight;
-        if rays.is_bare(&place(surface, &point)) {
+        if rays.is_bare(&Place::on(surface, &point)) {
             bare += weight;
         }
     }

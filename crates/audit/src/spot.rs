@@ -89,7 +89,9 @@ impl<'a> Start<'a> {
             rays,
         };
         match *spot {
-            Spot::Point { position, normal } => Self::Point(Vertex { point: position, normal }),
+            Spot::Point { position, normal } => {
+                Self::Point(Vertex { point: rays.read_from(position, normal), normal })
+            }
             Spot::Surface(surface) => spread(surface, Rect::FULL),
             Spot::Cell { surface, rect } => spread(surface, rect),
             Spot::Pixel(pixel) => Self::Pixel(pixel),
@@ -103,15 +105,12 @@ impl<'a> Start<'a> {
             Self::Pixel(pixel) => Begin::Against(pixel.ray(draws)),
             Self::Spread { surface, spread, rays } => {
                 let Some(on) = spread.point(draws) else { return Begin::Covered(0.0) };
-                let place = Place {
-                    surface: *surface,
-                    parameters: on.parameters.unwrap_or_default(),
-                    point: on.point,
-                    normal: on.normal,
-                };
+                let place = Place::on(*surface, &on);
                 let weight = spread.weight(&on);
                 match rays.is_bare(&place) {
-                    true => Begin::At(Vertex { point: on.point, normal: on.normal }, weight),
+                    true => {
+                        Begin::At(Vertex { point: rays.left(&place, on.normal), normal: on.normal }, weight)
+                    }
                     false => Begin::Covered(weight),
                 }
             }

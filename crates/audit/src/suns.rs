@@ -58,7 +58,7 @@ impl Suns {
                 continue;
             }
             traced += 1;
-            if let Met::Front(place) = rays.first(point, normal, sun.direction)
+            if let Met::Front(place) = rays.first(point, sun.direction)
                 && let Some(irradiance) = sun.behind.get(&place.surface)
             {
                 take(place.surface, cosine * *irradiance);

@@ -115,7 +115,8 @@ pub struct WorstReading {
     pub printed: f64,
     /// The mean that the referee found.
     pub found: Mean,
-    /// Whether it differs by more than chance and by a hundredth of the mean.
+    /// Whether it differs by more than chance, by its own error and by that of all readings together, and by a
+    /// hundredth of the mean.
     pub is_outlier: bool,
 }
 
@@ -169,7 +170,7 @@ impl Verdict {
 
     /// An error that the true one hardly exceeds: √(err² and its standard error).
     pub fn bound(&self) -> f64 {
-        (self.squared + self.squared_error.max(self.by_chance)).max(0.0).sqrt()
+        (self.squared.max(0.0) + self.squared_error.max(self.by_chance)).sqrt()
     }
 
     /// Whether the readings differ by more than chance from what is true and by more than `told`, the relative
@@ -191,9 +192,13 @@ impl Verdict {
         order.into_iter().take(most).map(|(reading, _)| reading).collect()
     }
 
-    /// Whether the error in the L2 mean exceeds `told` by more than chance.
+    /// Whether the error in the L2 mean exceeds `told` by more than chance: by that of the walks, and, where an
+    /// error is told, by that of the choice of the readings.
     pub fn exceeds(&self, told: f64) -> bool {
         let above = self.squared - told * told;
+        if told > 0.0 && above < self.squared_error {
+            return false;
+        }
         if self.noise_squared <= 0.0 {
             return above > 0.0;
         }
@@ -405,8 +410,16 @@ fn threshold(count: usize) -> f64 {
     x.max(FINDING)
 }
 
+/// Standard error of all readings together, their root mean square: where a few of many walks bring most of the
+/// light, readings that got none of it tell too small an error.
+fn pooled_error(judged: &[Judged]) -> f64 {
+    let errors = || judged.iter().flat_map(|own| &own.estimate.bands).map(|mean| mean.error);
+    (errors().map(|error| error * error).sum::<f64>() / errors().count().max(1) as f64).sqrt()
+}
+
 /// The readings that add most to err²; `mean` is the L2 mean of what is true.
 fn worst_readings(judged: &[Judged], terms: &[Terms], mean: f64, count: usize) -> Vec<WorstReading> {
+    let pooled = pooled_error(judged);
     let mut order: Vec<usize> = (0..judged.len()).collect();
     order.sort_by(|a, b| terms[*b].above.total_cmp(&terms[*a].above).then(a.cmp(b)));
     let named = |reading: &usize| {
@@ -415,7 +428,8 @@ fn worst_readings(judged: &[Judged], terms: &[Terms], mean: f64, count: usize) -
         let off = |(_, (printed, found)): &(usize, (f64, Mean))| (printed - found.value).abs();
         let (band, (printed, found)) = pairs().max_by(|a, b| off(a).total_cmp(&off(b)))?;
         let difference = (printed - found.value).abs();
-        let seldom = normal_of_student(difference / found.error, FREEDOM) > threshold(judged.len());
+        let seldom =
+            normal_of_student(difference / found.error.max(pooled), FREEDOM) > threshold(judged.len());
         let is_outlier = seldom && difference > NEGLIGIBLE * mean;
         Some(WorstReading { reading: *reading, of: own.class.clone(), band, printed, found, is_outlier })
     };

@@ -98,7 +98,7 @@ impl ViewFactorReferee {
             let along = cosine_direction(vertex.normal, draws.pair());
             weights += weight;
             parts.rays += 1;
-            match self.rays.first(vertex.point, vertex.normal, along) {
+            match self.rays.first(vertex.point, along) {
                 Met::Front(place) => *parts.fronts.entry(place.surface).or_default() += weight,
                 Met::Back | Met::Nothing => parts.lost += weight,
             }

@@ -64,7 +64,7 @@ pub(crate) struct Ground<'a> {
     pub(crate) going_on: f64,
 }
 
-/// A point that receives along its normal.
+/// A point that receives along its normal, just before any surface that it lies on.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Vertex {
     pub(crate) point: DVec3,
@@ -99,7 +99,11 @@ impl Ground<'_> {
         let lamp = self.lamps.point(self.rays, &self.skins, self.groups, draws, point, normal);
         let Some(lamp) = lamp.filter(|lamp| !lamp.irradiance.is_dark()) else { return };
         scores.rays += 1;
-        if !self.rays.is_free(point, normal, lamp.end) {
+        let is_seen = match lamp.surface {
+            Some(surface) => self.rays.sees(point, surface, lamp.end),
+            None => self.rays.is_free(point, lamp.end),
+        };
+        if !is_seen {
             return;
         }
         let share = lamp.density.map_or(1.0, |density| {
@@ -184,7 +188,7 @@ impl Ground<'_> {
             draws.go_to(START + VERTEX * depth);
             let along = cosine_direction(vertex.normal, draws.pair());
             scores.rays += 1;
-            let met = self.rays.first(vertex.point, vertex.normal, along);
+            let met = self.rays.first(vertex.point, along);
             let traced = (1.0 / part) * weight;
             let Some(place) = self.arrive(met, traced, scores) else { return };
             let skin = &self.skins[place.surface];
@@ -230,15 +234,19 @@ impl Ground<'_> {
         }
         let choice = if ways[0] == all { 0.0 } else { all * draws.next() };
         if choice < ways[0] {
-            return Some((Vertex { point: place.point, normal: place.normal }, (all / ways[0]) * reflected));
+            return Some((self.vertex(place, place.normal), (all / ways[0]) * reflected));
         }
         if choice < ways[0] + ways[1] {
-            return Some((Vertex { point: place.point, normal: -place.normal }, (all / ways[1]) * through));
+            return Some((self.vertex(place, -place.normal), (all / ways[1]) * through));
         }
         let (from, share) = self.sheets[sheet].leave(self.rays, draws)?;
         let Absorbed::Sheet { emissivity, .. } = skin.absorbed else { return None };
-        let vertex = Vertex { point: from.point, normal: from.normal };
-        Some((vertex, (all / ways[2] * emissivity * share) * weight))
+        Some((self.vertex(&from, from.normal), (all / ways[2] * emissivity * share) * weight))
+    }
+
+    /// The vertex of a walk that leaves a place by a unit normal of either side.
+    fn vertex(&self, place: &Place, normal: DVec3) -> Vertex {
+        Vertex { point: self.rays.left(place, normal), normal }
     }
 }
 

@@ -6,7 +6,7 @@
 
 use std::fmt;
 
-use radiosity_audit::{Effort, Judged, Referee, Spot, Verdict};
+use radiosity_audit::{Effort, Estimate, Judged, Referee, Spot, Verdict};
 use radiosity_scene::Scene;
 use radiosity_solve::solution::Solution;
 use radiosity_solve::solution::group_light::GroupLight;
@@ -49,7 +49,8 @@ pub struct JudgedReading {
 pub struct JudgedRun {
     /// The readings.
     pub readings: Vec<JudgedReading>,
-    /// Places that could not be read: by polynomials there is light on surfaces alone.
+    /// Places that could not be read, as by polynomials there is light on surfaces alone, or of which walks tell no
+    /// number.
     pub unread: usize,
     /// The referee's verdict on them.
     pub verdict: Verdict,
@@ -77,8 +78,12 @@ impl JudgedRun {
         let groups: Vec<Vec<Option<Vec<f64>>>> =
             group_solutions(solved, referee).into_iter().map(|own| own.read(&all, irradiance)).collect();
         let is_read: Vec<usize> = (0..all.len()).filter(|place| whole[*place].is_some()).collect();
-        let spots: Vec<Spot> = is_read.iter().map(|place| all[*place].spot(scene)).collect();
-        let estimates = referee.estimates(&spots, &judging.effort, work);
+        let spots =
+            |read: &[usize]| -> Vec<Spot> { read.iter().map(|place| all[*place].spot(scene)).collect() };
+        let estimates = referee.estimates(&spots(&is_read), &judging.effort, work);
+        let is_told = |(_, estimate): &(usize, Estimate)| estimate.is_finite();
+        let (is_read, estimates): (Vec<usize>, Vec<Estimate>) =
+            is_read.into_iter().zip(estimates).filter(is_told).unzip();
         let mut judged: Vec<Judged> = is_read
             .iter()
             .zip(estimates)
@@ -90,8 +95,14 @@ impl JudgedRun {
                 class: all[*place].class.clone(),
             })
             .collect();
-        let verdict =
-            referee.verdict(&spots, &mut judged, judging.told, Verdict::WORST, &judging.effort, work);
+        let verdict = referee.verdict(
+            &spots(&is_read),
+            &mut judged,
+            judging.told,
+            Verdict::WORST,
+            &judging.effort,
+            work,
+        );
         let readings = is_read.iter().zip(judged);
         let readings = readings.map(|(place, judged)| JudgedReading { probe: all[*place].probe, judged });
         Self { readings: readings.collect(), unread: all.len() - is_read.len(), verdict }
@@ -105,10 +116,15 @@ impl fmt::Display for JudgedRun {
     }
 }
 
+/// Relative error that would be seen beyond which what was found is nothing but rounding.
+const NOTHING: f64 = 1e3;
+
 /// A verdict on numbers of this plural noun in a line.
 pub fn checked(verdict: &Verdict, of: &str) -> String {
     let percent = |part: f64| significant(100.0 * part, 2);
     let said = match verdict.exceeds(0.0) {
+        false if verdict.visible() == 0.0 => "no difference".to_owned(),
+        false if verdict.visible() > NOTHING => "all are 0 as far as walks tell".to_owned(),
         true => format!("off by {} % (± {} %)", percent(verdict.error()), percent(verdict.error_sd())),
         false => format!("no error above {} % seen", percent(verdict.visible())),
     };
@@ -157,9 +173,10 @@ pub fn evenly<T>(
     seed: u64,
 ) -> impl Iterator<Item = T> {
     // The sensor of a part is another in each part and for each seed: multiples of an irrational number.
+    const SEEDS: u64 = 1 << 20;
     let golden = 0.5 * (5f64.sqrt() - 1.0);
     let place = move |part: usize| {
-        let within = ((seed as f64 + 1.0) * (part as f64 + 1.0) * golden).fract();
+        let within = ((seed % SEEDS + 1) as f64 * (part as f64 + 1.0) * golden).fract();
         ((part as f64 + within) * count as f64 / wanted as f64) as usize
     };
     let mut next = 0;

@@ -62,12 +62,12 @@ fn seen(rays: &Rays, roles: &Roles, surface: usize) -> Seen {
     let mut others = BTreeSet::new();
     for _ in 0..PROBES {
         let Some(on) = spread.point(pair()) else { continue };
-        let parameters = on.parameters.unwrap_or_default();
         let along = cosine_direction(on.normal, pair());
-        if !rays.is_bare(&Place { surface, parameters, point: on.point, normal: on.normal }) {
+        let place = Place::on(surface, &on);
+        if !rays.is_bare(&place) {
             continue;
         }
-        match rays.first(on.point, on.normal, along) {
+        match rays.first(rays.left(&place, on.normal), along) {
             Met::Front(place) if !is_known(&roles.list[place.surface]) => _ = others.insert(place.surface),
             _ => return Seen::End,
         }

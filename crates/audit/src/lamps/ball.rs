@@ -63,7 +63,6 @@ impl Ball {
         // The nearer root of |from + t along − center| = R.
         let inner = (self.radius * self.radius - (distance * sine).powi(2)).max(0.0).sqrt();
         let point = from + (distance * cosine - inner) * along;
-        let normal = (point - self.center) / self.radius;
-        Some(OnLamp { point, normal, parameters: [0.0; 2], along, density: (TAU * opening).recip() })
+        Some(OnLamp { point, parameters: [0.0; 2], along, density: (TAU * opening).recip() })
     }
 }

@@ -29,8 +29,8 @@ const FAR: f64 = 0.2;
 /// then all rounding.
 const FLAT: f64 = 1e-9;
 
-/// Solid angle below which a triangle is not drawn from: roundings of its angles, 10⁻¹⁶, are then a part of it.
-const NARROW: f64 = 1e-9;
+/// Solid angle of a triangle below which points are drawn by area: roundings of 10⁻¹⁶ over it then move them.
+const NARROW: f64 = 1e-6;
 
 /// A flat lamp of few triangles.
 #[derive(Clone, Debug)]
@@ -63,10 +63,12 @@ impl Facets {
         let mut angles = [0.0; MOST];
         for (angle, corners) in angles.iter_mut().zip(&self.triangles) {
             let own = solid_angle(corners.map(|corner| (corner - from).normalize_or_zero()));
-            *angle = if own > NARROW { own } else { 0.0 };
+            if own < NARROW {
+                return None;
+            }
+            *angle = own;
         }
-        let sum: f64 = angles.iter().sum();
-        (sum > NARROW).then_some((angles, sum))
+        Some((angles, angles.iter().sum()))
     }
 
     /// Density per solid angle of its points for a point; None where they are drawn by area.
@@ -92,7 +94,7 @@ impl Facets {
         let reach = (corners[0] - from).dot(self.normal) / along.dot(self.normal);
         let point = from + reach * along;
         let parameters = [0.0; 2];
-        Some(OnLamp { point, normal: self.normal, parameters, along, density: sum.recip() })
+        Some(OnLamp { point, parameters, along, density: sum.recip() })
     }
 }
 

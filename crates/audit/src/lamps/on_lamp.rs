@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use radiosity_geom::{DVec3, Ray, Surface};
+use radiosity_geom::{DVec3, Ray, Rect, Surface};
 
 use crate::skin::Skin;
 use crate::spread::SpreadPoint;
@@ -11,7 +11,6 @@ use crate::spread::SpreadPoint;
 #[derive(Clone, Copy, Debug)]
 pub(super) struct OnLamp {
     pub(super) point: DVec3,
-    pub(super) normal: DVec3,
     /// Its parameters, where anybody asks.
     pub(super) parameters: [f64; 2],
     /// Unit vector from the point that sees it.
@@ -32,20 +31,22 @@ impl OnLamp {
         let squared = step.length_squared();
         let along = step / squared.sqrt();
         let leaving = -on.normal.dot(along);
-        if leaving <= 0.0 {
+        if leaving.is_nan() || leaving <= 0.0 {
             return None;
         }
         let parameters = match on.parameters {
             Some(parameters) => parameters,
             // As a ray finds them.
             None if skin.is_patterned() => {
-                let across = Ray::segment(on.point + on.normal, on.point - on.normal);
-                let hit = shape().intersect(&across)?;
+                let shape = shape();
+                let step = shape.bounds(&Rect::FULL).diagonal() * on.normal;
+                let across = Ray::segment(on.point + step, on.point - step);
+                let hit = shape.intersect(&across)?;
                 [hit.u, hit.v]
             }
             None => [0.0; 2],
         };
         let density = on.density * squared / leaving;
-        Some(Self { point: on.point, normal: on.normal, parameters, along, density })
+        Some(Self { point: on.point, parameters, along, density })
     }
 }

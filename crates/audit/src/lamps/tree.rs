@@ -2,6 +2,9 @@
 
 use radiosity_geom::{Aabb, DVec3};
 
+/// Least square of a distance (scene length²), so that quotients stay numbers.
+const LEAST: f64 = 1e-200;
+
 /// A lamp, as the tree knows it.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Leaf {
@@ -128,6 +131,7 @@ impl Node {
         if self.plane.is_some_and(|(origin, front)| (point - origin).dot(front) <= 0.0) {
             return 0.0;
         }
-        self.flux / step.length_squared().max(self.radius_squared)
+        // Not at 0: a lamp may be a point, and a receiver at it.
+        self.flux / step.length_squared().max(self.radius_squared).max(LEAST)
     }
 }
