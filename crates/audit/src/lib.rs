@@ -6,11 +6,11 @@
 //! shares with what it judges is the scene itself: the text, the shapes, their fitting, and the models of
 //! luminaires, skies and glass.
 //!
-//! In order: draws (`random`, `lattice`), bands that walk together (`spectrum`), points spread over
-//! surfaces (`spread`), what rays meet (`rays`), what surfaces send (`skin`, `groups`, `lamps`, `suns`, `sheets`), walks
+//! In order: draws (`random`, `lattice`), bands that walk together (`spectrum`), points spread over surfaces
+//! (`spread`), what rays meet (`rays`), what surfaces send (`skin`, `groups`, `lamps`, `suns`, `sheets`), walks
 //! (`walk`), what is read (`spot`, `sample`), how much of it (`effort`), the [`Referee`] of light, those of heat
-//! ([`HeatReferee`]) and of view factors ([`ViewFactorReferee`]), the [`Verdict`] on printed numbers, and the second
-//! look at what stands out (`second_look`).
+//! ([`HeatReferee`]) and of view factors ([`ViewFactorReferee`]), the [`Verdict`] on printed numbers, and the
+//! second look at what stands out (`second_look`).
 //!
 //! Imports `geom`, `work` and `scene`.
 

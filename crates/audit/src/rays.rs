@@ -1,9 +1,10 @@
 //! Surfaces as rays meet them.
 //!
-//! A walk leaves a surface from just before the side that it leaves by, farther off than roundings reach: by 10⁻¹²
-//! of the largest coordinate where the surface is flat, by 10⁻⁷ of its size where it is curved. A point that is
-//! read, and lies within 10⁻⁶ of a surface's size of it, lies on it, and is read just before the uppermost of such
-//! surfaces on its side; surfaces larger than nine tenths of all count as no larger. Of coplanar faces of one direction the smaller lies on the larger.
+//! A walk leaves a surface from just before the side that it leaves by, farther off than roundings reach: by
+//! 10⁻¹² of the largest coordinate where the surface is flat, by 10⁻⁷ of its size where it is curved. A point
+//! that is read, and lies within 10⁻⁶ of a surface's size of it, lies on it, and is read just before the uppermost
+//! of such surfaces on its side; surfaces larger than nine tenths of all count as no larger. Of coplanar faces of
+//! one direction the smaller lies on the larger.
 
 use std::sync::Arc;
 

@@ -141,6 +141,7 @@ mod tests {
         let draw = |k: usize| (k as f64 + 0.5) / SIDE as f64;
         let all = (0..SIDE * SIDE).map(|k| within(octant, [draw(k / SIDE), draw(k % SIDE)]));
         let mean = all.sum::<DVec3>() / (SIDE * SIDE) as f64;
-        assert!((mean - DVec3::splat(0.5)).length() < 1e-5, "{mean}");
+        // Midpoints err by the square root at the corner.
+        assert!((mean - DVec3::splat(0.5)).length() < 3e-5, "{mean}");
     }
 }
