@@ -10,7 +10,7 @@ const WALKS: f64 = 16384.0;
 #[test]
 #[ignore = "two minutes of CPU"]
 fn all_readings_err_as_they_say() {
-    let kinds: [(&str, fn() -> Vec<Trial>); 12] = [
+    let kinds: [(&str, fn() -> Vec<Trial>); 13] = [
         ("rooms of concave shapes", furnaces::concave),
         ("sheets of all shapes", furnaces::sheets),
         ("patterns", furnaces::patterns),
@@ -21,6 +21,7 @@ fn all_readings_err_as_they_say() {
         ("spots", luminaires::distributions),
         ("windows", skies::windows),
         ("mats", stacks::mats),
+        ("covers", stacks::covers),
         ("rims", stacks::rims),
         ("pixels", means::pixels),
     ];

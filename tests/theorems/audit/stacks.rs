@@ -80,6 +80,56 @@ fn mats_on_desks_receive_what_the_lamp_sends() {
     assert_fair(&quotients(&mats(), WALKS, 1000));
 }
 
+/// A black room with a lamp, over a part of which lies a cover of this transmittance, `gap` below it.
+fn covered(gap: f64, transmittance: f64) -> Scene {
+    let height = 2.9 - gap;
+    typed(&format!(
+        r#"
+bands = ["lm"]
+materials.black = {{ reflectance = 0 }}
+materials.film = {{ reflectance = 0, transmittance = {transmittance:?} }}
+materials.glow = {{ reflectance = 0, emission = {EXITANCE:?} }}
+[[surfaces]]
+name = "room"
+material = "black"
+box = {{ origin = [0, 0, 0], size = [4, 4, 3], inward = true }}
+[[surfaces]]
+name = "lamp"
+material = "glow"
+parallelogram = {{ origin = [1.5, 1.5, 2.9], edge1 = [0, 1, 0], edge2 = [1, 0, 0] }}
+[[surfaces]]
+name = "cover"
+material = "film"
+two_sided = true
+parallelogram = {{ origin = [1.6, 1.6, {height:?}], edge1 = [0, 0.8, 0], edge2 = [0.8, 0, 0] }}"#
+    ))
+}
+
+/// Under a lamp that is partly covered: all that it sends less what the cover keeps back.
+pub(super) fn covers() -> Vec<Trial> {
+    let cover = [[1.6, 1.6], [1.6, 2.4], [2.4, 2.4], [2.4, 1.6]].map(|[x, y]| DVec3::new(x, y, 2.9));
+    let mut trials = Vec::new();
+    for gap in [0.0, 1e-9, 1e-7] {
+        for transmittance in [0.0, 0.5] {
+            let name = format!("cover {gap} transmits {transmittance}");
+            let mut trial = Trial::of(name, covered(gap, transmittance));
+            for [x, y] in [[0.5, 0.5], [1.4, 2.1], [2.0, 2.0], [3.3, 1.2]] {
+                let point = DVec3::new(x, y, 0.0);
+                let from = |corners: &[DVec3]| lambert(corners, point, DVec3::Z).abs();
+                let exact = from(&LAMP) - (1.0 - transmittance) * from(&cover);
+                trial = trial.point(point, DVec3::Z, exact);
+            }
+            trials.push(trial);
+        }
+    }
+    trials
+}
+
+#[test]
+fn lamps_do_not_shine_through_what_lies_on_them() {
+    assert_fair(&quotients(&covers(), 4.0 * WALKS, 1200));
+}
+
 /// In the furnace of a desk with a hole: within 1e-4 of its rim and of its outline, above, below, and upright.
 pub(super) fn rims() -> Vec<Trial> {
     let text = r#"
