@@ -1,6 +1,8 @@
 //! Evidence for the referee: its readings against furnaces, closed forms and quadratures within its own errors,
 //! faults that are planted, and how often it raises a false alarm.
 
+#![expect(clippy::print_stdout, reason = "what was found is printed with --nocapture")]
+
 mod trial;
 mod fairness;
 mod furnaces;

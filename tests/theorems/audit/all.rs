@@ -7,10 +7,13 @@ use super::{furnaces, lamps, luminaires, means, skies, stacks};
 
 const WALKS: f64 = 16384.0;
 
+/// Trials of one kind.
+type Make = fn() -> Vec<Trial>;
+
 #[test]
 #[ignore = "two minutes of CPU"]
 fn all_readings_err_as_they_say() {
-    let kinds: [(&str, fn() -> Vec<Trial>); 13] = [
+    let kinds: [(&str, Make); 13] = [
         ("rooms of concave shapes", furnaces::concave),
         ("sheets of all shapes", furnaces::sheets),
         ("patterns", furnaces::patterns),

@@ -108,7 +108,7 @@ impl Lamp {
         );
         let source = Source::new("lamp", &text);
         match &self.file {
-            Some((name, table)) => parsed(&source.including(*name, table)),
+            Some((name, table)) => parsed(&source.including(name, table)),
             None => parsed(&source),
         }
     }
