@@ -16,7 +16,8 @@ use crate::spread::SpreadPoint;
 /// Distance before a flat surface over the largest coordinate. Chosen: a thousand times what rounding moves a hit by.
 const BEFORE_FLAT: f64 = 1e-12;
 
-/// Distance before a curved surface over its size. Chosen: a thousand times what the roots of a ray err by.
+/// Distance before a curved surface over its size, and before a point that is read over the usual size. Chosen: a
+/// thousand times what the roots of a ray err by, and a hundred times the overhang at which borders are met.
 const BEFORE_CURVED: f64 = 1e-7;
 
 /// Part of the surfaces that are no larger than the usual size.
@@ -148,8 +149,9 @@ impl Rays {
         place.point + self.before(place.surface) * normal
     }
 
-    /// The point from which light is read at `point` along a unit normal: just before the uppermost of the surfaces
-    /// that it lies on, or itself where it lies on none.
+    /// The point from which light is read at `point` along a unit normal: just before the uppermost of the
+    /// surfaces that it lies on, and a little before itself in any case, as it may lie on a border, which rays
+    /// along the surface meet.
     pub(crate) fn read_from(&self, point: DVec3, normal: DVec3) -> DVec3 {
         let reach = ON_SURFACE * self.usual_size;
         let around = Aabb::around([point - reach * normal, point + reach * normal]);
@@ -160,7 +162,7 @@ impl Rays {
             Some((1.0 - 2.0 * hit.t) * near + self.before(surface))
         };
         let heights = self.boxes.near(&around).into_iter().filter_map(height);
-        point + heights.fold(0.0, f64::max) * normal
+        point + heights.fold(BEFORE_CURVED * self.usual_size, f64::max) * normal
     }
 
     /// First thing that a ray meets which starts at `point` in the unit direction `along`.
