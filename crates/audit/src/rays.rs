@@ -149,9 +149,9 @@ impl Rays {
         place.point + self.before(place.surface) * normal
     }
 
-    /// The point from which light is read at `point` along a unit normal: just before the uppermost of the
-    /// surfaces that it lies on, and a little before itself in any case, as it may lie on a border, which rays
-    /// along the surface meet.
+    /// The point from which light is read at `point` along a unit normal: itself where it lies on no surface, else
+    /// just before the uppermost of those that it lies on, and a little before itself at the least, as it may lie
+    /// on a border, which rays along the surface meet.
     pub(crate) fn read_from(&self, point: DVec3, normal: DVec3) -> DVec3 {
         let reach = ON_SURFACE * self.usual_size;
         let around = Aabb::around([point - reach * normal, point + reach * normal]);
@@ -161,8 +161,22 @@ impl Rays {
             let hit = self.shapes[surface].intersect(&across)?;
             Some((1.0 - 2.0 * hit.t) * near + self.before(surface))
         };
-        let heights = self.boxes.near(&around).into_iter().filter_map(height);
+        let near = self.boxes.near(&around);
+        let is_on = |surface: &usize| self.distance(*surface, point) <= ON_SURFACE * self.usual_size;
+        if !near.iter().any(is_on) {
+            return point;
+        }
+        let heights = near.into_iter().filter_map(height);
         point + heights.fold(BEFORE_CURVED * self.usual_size, f64::max) * normal
+    }
+
+    /// Distance of a point from a surface that it is close to.
+    fn distance(&self, surface: usize, point: DVec3) -> f64 {
+        let shape = &self.shapes[surface];
+        match shape.region() {
+            Some(region) => region.nearest(point).distance(point),
+            None => shape.project(point).distance,
+        }
     }
 
     /// First thing that a ray meets which starts at `point` in the unit direction `along`.
