@@ -28,7 +28,7 @@ CASES = {
         LIGHT - {"keep_partial"} | set(options.Picture.__annotations__) | {"size"},
         {"importance", "exposure", "false_colour", "difference", "wireframe", *STYLE - {"show", "size"}},
     ),
-    "audit": (LIGHT - {"keep_partial"} | set(options.Auditing.__annotations__), {"picture", "size"}),
+    "audit": (LIGHT - {"keep_partial"} | set(options.Auditing.__annotations__), {"picture", "size", "of"}),
     "heat": (SCENE | set(options.HeatMethod.__annotations__), {"picture", *STYLE}),
     "view-factors": (SCENE | set(options.Transfers.__annotations__) | {"pairs", "sparse"}, set()),
 }
