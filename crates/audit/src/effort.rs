@@ -13,9 +13,9 @@ const DEEPER: f64 = 0.125;
 /// Surfaces of a box, with what is in it.
 const BOX: f64 = 16.0;
 
-/// Independent moves of the lattice for each reading, whose spread tells the error of their mean. Chosen: with
-/// eight the error is itself uncertain by a quarter.
-const SHIFTS: usize = 8;
+/// Walks of one move of the lattice, as a power of 2, by which means over surfaces are normal numbers. Measured: of
+/// heat and view factors they are not with fewer.
+const NORMAL: u32 = 8;
 
 /// Walks of a second look over those of the first, as a power of 2: the standard error is halved. Chosen.
 const MORE: u32 = 2;
@@ -30,12 +30,13 @@ pub struct Effort {
 }
 
 impl Effort {
-    /// Independent moves of the lattice for each reading.
-    pub const SHIFTS: usize = SHIFTS;
+    /// Independent moves of the lattice for each reading, whose spread tells the error of their mean. Chosen: with
+    /// eight the error is itself uncertain by a quarter.
+    pub const SHIFTS: usize = 8;
 
     /// About `walks` walks for each reading, at least 8: a power of 2.
     pub fn of_walks(walks: f64) -> Self {
-        let log = (walks / SHIFTS as f64).max(1.0).log2().round();
+        let log = (walks / Self::SHIFTS as f64).max(1.0).log2().round();
         Self { log: (log as u32).min(MOST), seed: 0 }
     }
 
@@ -50,9 +51,9 @@ impl Effort {
         Self::of_walks(seconds * WALKS_A_SECOND / (deeper * bent * readings.max(1) as f64))
     }
 
-    /// The effort, or more: about `walks` walks for each reading at the least.
-    pub fn at_least(self, walks: u64) -> Self {
-        Self { log: self.log.max(Self::of_walks(walks as f64).log), ..self }
+    /// The effort, or the least by which means over surfaces are normal numbers.
+    pub fn of_surfaces(self) -> Self {
+        Self { log: self.log.max(NORMAL), ..self }
     }
 
     /// The effort with other draws.
@@ -67,6 +68,6 @@ impl Effort {
 
     /// Walks for each reading.
     pub fn walks(&self) -> u64 {
-        (SHIFTS as u64) << self.log
+        (Self::SHIFTS as u64) << self.log
     }
 }

@@ -124,7 +124,6 @@ impl HeatReferee {
                 Skin::grey([exitance, 0.0], 1.0 - emissivity, Absorbed::Sheet { sheet, emissivity })
             }
         };
-        let lost = Spectrum::of(0, &[0.0, 1.0]);
         Ground {
             rays: &self.rays,
             groups: &self.groups,
@@ -132,7 +131,7 @@ impl HeatReferee {
             lamps: Lamps::none(self.rays.count()),
             suns: Suns::none(),
             sheets: &self.sheets,
-            surroundings: [lost; 2],
+            surroundings: Spectrum::of(0, &[0.0, 1.0]),
             going_on: 1.0,
         }
     }

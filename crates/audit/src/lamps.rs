@@ -50,6 +50,8 @@ enum Lamp {
 pub(crate) struct LampPoint {
     /// The point.
     pub(crate) end: DVec3,
+    /// Cosine at the point that sees it.
+    pub(crate) cosine: f64,
     /// Index of its surface; None for luminaires without an area.
     pub(crate) surface: Option<usize>,
     /// The irradiance that it would make if it were all there is, over the density of such points (W m⁻²).
@@ -127,6 +129,7 @@ impl Lamps {
                 let density = share * on.density;
                 Some(LampPoint {
                     end: on.point,
+                    cosine,
                     surface: Some(*surface),
                     irradiance: (cosine / (PI * density)) * skin.sent(on.parameters, -on.along),
                     density: Some(density),
@@ -145,6 +148,7 @@ impl Lamps {
                 let factor = luminaire.relative(-along) * cosine / (squared * share);
                 Some(LampPoint {
                     end,
+                    cosine,
                     surface: None,
                     irradiance: factor * *strength,
                     density: None,

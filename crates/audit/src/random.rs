@@ -9,6 +9,17 @@
 /// Weyl increment of SplitMix64: 2⁶⁴ over the golden ratio, made odd.
 const GOLDEN: u64 = 0x9e37_79b9_7f4a_7c15;
 
+/// Parts of names that keep streams apart: those that move lattices of readings, and follow them in walks.
+pub(crate) const OF_LATTICES: u64 = 0;
+pub(crate) const OF_WALKS: u64 = 1;
+/// Of places that are read.
+pub(crate) const OF_SAMPLES: u64 = 2;
+/// Of rays that look for what ends walks of heat, and of points that tell how much of a sheet is bare.
+pub(crate) const OF_PROBES: u64 = 3;
+pub(crate) const OF_SHEETS: u64 = 4;
+/// Of rows of view factors.
+pub(crate) const OF_ROWS: u64 = 5;
+
 /// A stream of numbers.
 #[derive(Clone, Debug)]
 pub(crate) struct Random {

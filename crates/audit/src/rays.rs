@@ -79,17 +79,6 @@ impl Place {
     }
 }
 
-/// First thing that a ray meets.
-#[derive(Clone, Copy, Debug)]
-pub(crate) enum Met {
-    /// The front of a surface.
-    Front(Place),
-    /// The back of a surface of one side, which is black.
-    Back,
-    /// Nothing.
-    Nothing,
-}
-
 impl Rays {
     pub(crate) fn of(scene: &Scene) -> Self {
         let shapes: Vec<Arc<dyn Surface>> =
@@ -179,27 +168,26 @@ impl Rays {
         }
     }
 
-    /// First thing that a ray meets which starts at `point` in the unit direction `along`.
+    /// The front that a ray meets first which starts at `point` in the unit direction `along`; None where it meets
+    /// nothing, or the back of a surface of one side, which is black.
     #[inline]
-    pub(crate) fn first(&self, point: DVec3, along: DVec3) -> Met {
+    pub(crate) fn first(&self, point: DVec3, along: DVec3) -> Option<Place> {
         self.met(&Ray::new(point, along))
     }
 
-    /// First thing that a ray meets.
-    pub(crate) fn met(&self, ray: &Ray) -> Met {
-        let Some(met) = self.tree.nearest(ray) else { return Met::Nothing };
+    /// The front that a ray meets first, as of [`Rays::first`].
+    pub(crate) fn met(&self, ray: &Ray) -> Option<Place> {
+        let met = self.tree.nearest(ray)?;
         let surface = self.order[met.surface];
         if met.front {
-            return Met::Front(self.place(ray, surface, met.hit.t, [met.hit.u, met.hit.v]));
+            return Some(self.place(ray, surface, met.hit.t, [met.hit.u, met.hit.v]));
         }
         // The back of a sheet is met where roundings put its front behind it.
-        let Some(other) = self.other_sides[surface] else { return Met::Back };
+        let other = self.other_sides[surface]?;
         let near = SAME_PLACE * (met.hit.t + self.sizes[other]);
         let within = Ray { range: [met.hit.t - near, met.hit.t + near], ..*ray };
-        match self.shapes[other].intersect(&within) {
-            Some(hit) => Met::Front(self.place(ray, other, hit.t, [hit.u, hit.v])),
-            None => Met::Back,
-        }
+        let hit = self.shapes[other].intersect(&within)?;
+        Some(self.place(ray, other, hit.t, [hit.u, hit.v]))
     }
 
     #[inline]
@@ -220,17 +208,9 @@ impl Rays {
 
     /// Whether a point on the front of a surface is what a ray towards it meets first.
     pub(crate) fn sees(&self, point: DVec3, surface: usize, end: DVec3) -> bool {
-        match self.first(point, (end - point).normalize()) {
-            Met::Front(place) => {
-                place.surface == surface && place.point.distance(end) <= self.room_at(point, surface, end)
-            }
-            Met::Back | Met::Nothing => false,
-        }
-    }
-
-    /// Distance by which a ray towards a point of a surface may miss it: farther where it grazes.
-    fn room_at(&self, point: DVec3, surface: usize, end: DVec3) -> f64 {
-        MEETS * (self.sizes[surface] + point.distance(end))
+        let room = MEETS * (self.sizes[surface] + point.distance(end));
+        let met = self.first(point, (end - point).normalize());
+        met.is_some_and(|place| place.surface == surface && place.point.distance(end) <= room)
     }
 
     /// Whether a place on a surface is the uppermost on its side, and not touched by what stands on it.

@@ -5,13 +5,14 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use radiosity_scene::Scene;
 use radiosity_work::ranks::PartName;
 use radiosity_work::{Stage, Work};
+use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 
 use crate::effort::Effort;
 use crate::groups::Groups;
 use crate::lamps::Lamps;
 use crate::lattice::{Draws, Lattice};
-use crate::random::Random;
+use crate::random::{OF_LATTICES, OF_SAMPLES, OF_WALKS, Random};
 use crate::rays::Rays;
 use crate::sample::{SamplePoint, over_surfaces};
 use crate::skin::Skin;
@@ -23,12 +24,6 @@ use crate::walk::{Ground, Scores};
 /// Weight k⁻¹ below which a walk may end. Measured (`docs/theory/error.md`): of ½, 1, 1.5, 2 and 4 the k of the
 /// least variance at equal time on most scenes.
 const GOING_ON: f64 = 2.0;
-
-/// Streams of random numbers of a shift: of the lattices, and of what follows them.
-const OF_LATTICES: u64 = 0;
-const OF_WALKS: u64 = 1;
-/// Stream of the places that are read.
-const OF_SAMPLES: u64 = 2;
 
 /// A scene, to be read by walks.
 #[derive(Debug)]
@@ -110,7 +105,7 @@ impl Referee {
             groups: &self.groups,
             skins,
             sheets: &[],
-            surroundings: [Spectrum::default(); 2],
+            surroundings: Spectrum::default(),
             going_on: GOING_ON,
         }
     }
@@ -126,21 +121,32 @@ pub(crate) fn read(
     work: &Work<'_>,
 ) -> Vec<Shift> {
     let starts: Vec<Start<'_>> = spots.iter().map(|spot| Start::of(spot, rays)).collect();
-    let (done, count) = (AtomicUsize::new(0), spots.len() * Effort::SHIFTS);
-    let shift = |k: usize| {
-        let [spot, shift] = [k / Effort::SHIFTS, k % Effort::SHIFTS];
+    shifts(spots.len(), work, |spot, shift| {
         let parts = grounds.iter().enumerate().map(|(part, ground)| {
             let name = [effort.seed, spot as u64, shift as u64, part as u64];
             shift_of(ground, &starts[spot], effort.log, &name)
         });
         let sums: Vec<Scores> = parts.collect();
-        work.report_done(Stage::Referee, done.fetch_add(1, Ordering::Relaxed) + 1, count);
         let rays = sums.iter().map(|own| own.rays).sum();
         let group = |group: usize| {
             let values = sums.iter().flat_map(|own| own.groups[group].0);
             values.take(bands).collect()
         };
         Shift { means: (0..sums[0].groups.len()).map(group).collect(), bare: sums[0].bare, rays }
+    })
+}
+
+/// The moves of the lattice at so many spots, those of one spot after the other; `make` is asked for each by the
+/// numbers of its spot and its move.
+pub(crate) fn shifts<T>(spots: usize, work: &Work<'_>, make: impl Fn(usize, usize) -> T + Sync) -> Vec<T>
+where
+    T: Serialize + DeserializeOwned + Send,
+{
+    let (done, count) = (AtomicUsize::new(0), spots * Effort::SHIFTS);
+    let shift = |k: usize| {
+        let made = make(k / Effort::SHIFTS, k % Effort::SHIFTS);
+        work.report_done(Stage::Referee, done.fetch_add(1, Ordering::Relaxed) + 1, count);
+        made
     };
     work.ranks.map_even(PartName::Referee, count, 1, shift)
 }

@@ -13,7 +13,7 @@
 use radiosity_geom::Rect;
 
 use crate::lattice::{DIMENSIONS, Draws, Lattice};
-use crate::random::Random;
+use crate::random::{OF_SHEETS, Random};
 use crate::rays::{Place, Rays};
 use crate::spread::Spread;
 
@@ -24,9 +24,6 @@ const TRIES: usize = 256;
 /// Points that tell how much of a side is bare, as a power of 2. Chosen: the part errs by some 10⁻³ where
 /// there is an edge, and it only matters to heated sheets that are partly covered.
 const BARE: u32 = 10;
-
-/// Stream of random numbers of these points.
-const OF_SHEETS: u64 = 4;
 
 /// A sheet.
 #[derive(Debug)]

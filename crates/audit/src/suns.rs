@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use radiosity_geom::DVec3;
 use radiosity_scene::{Radiance, Scene};
 
-use crate::rays::{Met, Rays};
+use crate::rays::Rays;
 use crate::spectrum::Spectrum;
 
 /// The suns of all skies behind openings.
@@ -58,7 +58,7 @@ impl Suns {
                 continue;
             }
             traced += 1;
-            if let Met::Front(place) = rays.first(point, sun.direction)
+            if let Some(place) = rays.first(point, sun.direction)
                 && let Some(irradiance) = sun.behind.get(&place.surface)
             {
                 take(place.surface, cosine * *irradiance);

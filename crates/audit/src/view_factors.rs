@@ -8,23 +8,18 @@
 //! spread is less than what they err by: the variance 1/(12 n²) of rounding is added to that of each move.
 
 use std::collections::{BTreeMap, BTreeSet};
-use std::sync::atomic::{AtomicUsize, Ordering};
 
 use radiosity_scene::Scene;
-use radiosity_work::ranks::PartName;
-use radiosity_work::{Stage, Work};
+use radiosity_work::Work;
 use serde::{Deserialize, Serialize};
 
 use crate::effort::Effort;
 use crate::lattice::{Draws, Lattice};
-use crate::random::Random;
-use crate::rays::{Met, Rays};
-use crate::referee::Mean;
+use crate::random::{OF_ROWS, Random};
+use crate::rays::Rays;
+use crate::referee::{Mean, shifts};
 use crate::spot::{Begin, Spot, Start};
 use crate::walk::cosine_direction;
-
-/// Stream of the random numbers that move the lattices.
-const OF_ROWS: u64 = 5;
 
 /// A scene, whose view factors are read by rays.
 #[derive(Debug)]
@@ -74,15 +69,10 @@ impl ViewFactorReferee {
     pub fn rows(&self, surfaces: &[usize], effort: &Effort, work: &Work<'_>) -> Vec<ViewFactorRow> {
         let starts: Vec<Start<'_>> =
             surfaces.iter().map(|surface| Start::of(&Spot::Surface(*surface), &self.rays)).collect();
-        let (done, count) = (AtomicUsize::new(0), surfaces.len() * Effort::SHIFTS);
-        let parts = |k: usize| {
-            let [row, shift] = [k / Effort::SHIFTS, k % Effort::SHIFTS];
+        let parts = shifts(surfaces.len(), work, |row, shift| {
             let random = Random::of(&[effort.seed, surfaces[row] as u64, shift as u64, OF_ROWS]);
-            let parts = self.parts(&starts[row], effort.log, random);
-            work.report_done(Stage::Referee, done.fetch_add(1, Ordering::Relaxed) + 1, count);
-            parts
-        };
-        let parts = work.ranks.map_even(PartName::Referee, count, 1, parts);
+            self.parts(&starts[row], effort.log, random)
+        });
         let rows = surfaces.iter().zip(parts.chunks_exact(Effort::SHIFTS));
         rows.map(|(surface, parts)| row(*surface, parts)).collect()
     }
@@ -99,8 +89,8 @@ impl ViewFactorReferee {
             weights += weight;
             parts.rays += 1;
             match self.rays.first(vertex.point, along) {
-                Met::Front(place) => *parts.fronts.entry(place.surface).or_default() += weight,
-                Met::Back | Met::Nothing => parts.lost += weight,
+                Some(place) => *parts.fronts.entry(place.surface).or_default() += weight,
+                None => parts.lost += weight,
             }
         }
         if weights > 0.0 {

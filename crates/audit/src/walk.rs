@@ -27,7 +27,7 @@ use radiosity_geom::{DVec3, Ray};
 use crate::groups::Groups;
 use crate::lamps::Lamps;
 use crate::lattice::Draws;
-use crate::rays::{Met, Place, Rays};
+use crate::rays::{Place, Rays};
 use crate::sheets::Sheet;
 use crate::skin::{Absorbed, Skin};
 use crate::spectrum::Spectrum;
@@ -59,7 +59,7 @@ pub(crate) struct Ground<'a> {
     pub(crate) suns: Suns,
     pub(crate) sheets: &'a [Sheet],
     /// π times the radiance of all that is no front: of black backs and of what surrounds the scene (W m⁻²).
-    pub(crate) surroundings: [Spectrum; 2],
+    pub(crate) surroundings: Spectrum,
     /// Probability k with which a walk of the weight 1 goes on from a hit.
     pub(crate) going_on: f64,
 }
@@ -106,10 +106,8 @@ impl Ground<'_> {
         if !is_seen {
             return;
         }
-        let share = lamp.density.map_or(1.0, |density| {
-            let cosine = normal.dot((lamp.end - point).normalize());
-            (1.0 + (part * cosine / (PI * density)).powi(2)).recip()
-        });
+        let beside = |density: f64| part * lamp.cosine / (PI * density);
+        let share = lamp.density.map_or(1.0, |density| (1.0 + beside(density).powi(2)).recip());
         scores.groups[lamp.group] += share * (weight * lamp.irradiance);
     }
 
@@ -159,14 +157,11 @@ impl Ground<'_> {
     }
 
     /// The front that a ray met; what else it met is added.
-    fn arrive(&self, met: Met, weight: Spectrum, scores: &mut Scores) -> Option<Place> {
-        let seen = match met {
-            Met::Front(place) => return Some(place),
-            Met::Back => self.surroundings[0],
-            Met::Nothing => self.surroundings[1],
-        };
-        scores.groups[0] += seen * weight;
-        None
+    fn arrive(&self, met: Option<Place>, weight: Spectrum, scores: &mut Scores) -> Option<Place> {
+        if met.is_none() {
+            scores.groups[0] += self.surroundings * weight;
+        }
+        met
     }
 
     /// Adds the irradiance at a vertex by a walk from it, whose cosine ray is traced for certain.

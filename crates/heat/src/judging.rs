@@ -17,9 +17,6 @@ use super::Heat;
 use super::black_body::STEFAN_BOLTZMANN;
 use super::figures::SurfaceHeat;
 
-/// Walks of a surface at the least. Measured: means of fewer than 256 a move are no normal numbers.
-const LEAST_WALKS: u64 = 256 * Effort::SHIFTS as u64;
-
 /// Rounding of walks, over what a surface sends out: a smaller error tells nothing. Measured: 2e-12 in a cube of one
 /// temperature.
 const ROUNDING: f64 = 1e-11;
@@ -83,7 +80,7 @@ impl JudgedHeat {
         effort: &Effort,
         work: &Work<'_>,
     ) -> Result<Self, HeatFault> {
-        let effort = effort.at_least(LEAST_WALKS);
+        let effort = effort.of_surfaces();
         let estimates = HeatReferee::of(scene)?.estimates(surfaces, &effort, work);
         let all = estimates.iter().map(|found| JudgedSurface::of(&heat.surfaces[found.surface], found));
         let all: Vec<JudgedSurface> = all.filter(|own| own.judged.found().is_finite()).collect();

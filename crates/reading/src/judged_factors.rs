@@ -11,9 +11,6 @@ use radiosity_work::Work;
 /// The least factor that is judged. Chosen: below, thousands of rays meet the other surface a few times.
 const LEAST: f64 = 1e-3;
 
-/// Rays of a row at the least. Measured: means of fewer than 256 a move are no normal numbers.
-const LEAST_RAYS: u64 = 256 * Effort::SHIFTS as u64;
-
 /// Judged factors.
 #[derive(Clone, Debug)]
 pub struct JudgedFactors {
@@ -46,7 +43,7 @@ impl JudgedFactors {
         effort: &Effort,
         work: &Work<'_>,
     ) -> Self {
-        let effort = effort.at_least(LEAST_RAYS);
+        let effort = effort.of_surfaces();
         let found = ViewFactorReferee::of(scene).rows(rows, &effort, work);
         let all: Vec<JudgedFactor> = found.iter().flat_map(|row| judged_row(factors, row)).collect();
         let judged: Vec<Judged> = all.iter().map(|own| own.judged.clone()).collect();

@@ -8,8 +8,8 @@ use std::collections::BTreeSet;
 
 use radiosity_geom::Rect;
 
-use crate::random::Random;
-use crate::rays::{Met, Place, Rays};
+use crate::random::{OF_PROBES, Random};
+use crate::rays::{Place, Rays};
 use crate::spread::Spread;
 use crate::walk::cosine_direction;
 
@@ -18,9 +18,6 @@ use super::roles::{Role, Roles};
 /// Rays from each surface. Chosen: an opening that all of them miss takes less than a hundredth of its view,
 /// and a walk would meet hundreds of walls before it.
 const PROBES: usize = 512;
-
-/// Stream of the random numbers that they take.
-const OF_PROBES: u64 = 3;
 
 /// The sight of a surface, by rays.
 enum Seen {
@@ -68,7 +65,7 @@ fn seen(rays: &Rays, roles: &Roles, surface: usize) -> Seen {
             continue;
         }
         match rays.first(rays.left(&place, on.normal), along) {
-            Met::Front(place) if !is_known(&roles.list[place.surface]) => _ = others.insert(place.surface),
+            Some(place) if !is_known(&roles.list[place.surface]) => _ = others.insert(place.surface),
             _ => return Seen::End,
         }
     }

@@ -81,7 +81,7 @@ impl Facets {
         let (angles, sum) = self.angles(from)?;
         let mut left = s * sum;
         let mut chosen = 0;
-        for (place, angle) in angles.iter().enumerate().filter(|(_, angle)| **angle > 0.0) {
+        for (place, angle) in angles.iter().enumerate().take(self.triangles.len()) {
             chosen = place;
             if left < *angle {
                 break;
@@ -90,7 +90,8 @@ impl Facets {
         }
         let part = (left / angles[chosen]).clamp(0.0, 1.0);
         let corners = self.triangles[chosen];
-        let along = within(corners.map(|corner| (corner - from).normalize_or_zero()), [part, t]);
+        let along =
+            within(corners.map(|corner| (corner - from).normalize_or_zero()), part * angles[chosen], t);
         let reach = (corners[0] - from).dot(self.normal) / along.dot(self.normal);
         let point = from + reach * along;
         let parameters = [0.0; 2];
@@ -109,13 +110,13 @@ fn across(other: DVec3, axis: DVec3) -> DVec3 {
     (other - other.dot(axis) * axis).normalize_or_zero()
 }
 
-/// The direction of two draws in the triangle of three unit vectors.
-fn within([a, b, c]: [DVec3; 3], [s, t]: [f64; 2]) -> DVec3 {
+/// The direction in the triangle of three unit vectors whose first draw leaves the solid angle `cut` on the side of b.
+fn within([a, b, c]: [DVec3; 3], cut: f64, t: f64) -> DVec3 {
     let (ab, ac) = (across(b, a), across(c, a));
     let cos_alpha = ab.dot(ac).clamp(-1.0, 1.0);
     let alpha = cos_alpha.acos();
     let sin_alpha = alpha.sin();
-    let (w, x) = (s * solid_angle([a, b, c]) - alpha).sin_cos();
+    let (w, x) = (cut - alpha).sin_cos();
     let u = x - cos_alpha;
     let v = w + sin_alpha * a.dot(b);
     let q = ((v * x - u * w) * cos_alpha - v) / ((v * w + u * x) * sin_alpha);
@@ -139,7 +140,7 @@ mod tests {
         assert!((solid_angle(octant) - PI / 2.0).abs() < 1e-15);
         const SIDE: usize = 300;
         let draw = |k: usize| (k as f64 + 0.5) / SIDE as f64;
-        let all = (0..SIDE * SIDE).map(|k| within(octant, [draw(k / SIDE), draw(k % SIDE)]));
+        let all = (0..SIDE * SIDE).map(|k| within(octant, draw(k / SIDE) * PI / 2.0, draw(k % SIDE)));
         let mean = all.sum::<DVec3>() / (SIDE * SIDE) as f64;
         // Midpoints err by the square root at the corner.
         assert!((mean - DVec3::splat(0.5)).length() < 3e-5, "{mean}");
