@@ -9,8 +9,8 @@
 //! In order: draws (`random`, `lattice`), bands that walk together (`spectrum`), points spread over surfaces
 //! (`spread`), what rays meet (`rays`), what surfaces send (`skin`, `groups`, `lamps`, `suns`, `sheets`), walks
 //! (`walk`), what is read (`spot`, `sample`), how much of it (`effort`), the [`Referee`] of light, those of heat
-//! ([`HeatReferee`]) and of view factors ([`ViewFactorReferee`]), the [`Verdict`] on printed numbers, and the
-//! second look at what stands out (`second_look`).
+//! ([`HeatReferee`]) and of view factors ([`ViewFactorReferee`]), the [`Verdict`] on printed numbers, the second
+//! look at what stands out (`second_look`), and what it makes of the errors that a run tells ([`Checked`]).
 //!
 //! Imports `geom`, `work` and `scene`.
 
@@ -33,7 +33,9 @@ mod heat;
 mod view_factors;
 mod verdict;
 mod second_look;
+mod checked;
 
+pub use checked::{Checked, Looked, Named};
 pub use effort::Effort;
 pub use heat::{HeatEstimate, HeatFault, HeatReferee};
 pub use referee::{Estimate, Mean, Referee};

@@ -153,6 +153,25 @@ impl Verdict {
         }
     }
 
+    /// Σ w (M² − s²) over all bands: the square of the size that relative errors are of.
+    pub(crate) fn size(judged: &[Judged]) -> f64 {
+        judged.iter().map(|own| Terms::of(own).below).sum::<f64>().max(f64::MIN_POSITIVE)
+    }
+
+    /// The readings that are off by more than chance and a hundredth of the mean, with the root mean square over
+    /// their bands of what they are off by.
+    pub(crate) fn off(judged: &[Judged]) -> Vec<(usize, f64)> {
+        let (pooled, mean) = (pooled_error(judged), (Self::size(judged) / judged.len().max(1) as f64).sqrt());
+        let of = |(number, own): (usize, &Judged)| {
+            let pairs = || own.printed.iter().zip(&own.estimate.bands);
+            let is_off =
+                |(printed, found): (&f64, &Mean)| is_outlier(*printed, found, pooled, mean, judged.len());
+            let squares: f64 = pairs().map(|(printed, found)| (printed - found.value).powi(2)).sum();
+            pairs().any(is_off).then(|| (number, (squares / own.printed.len() as f64).sqrt()))
+        };
+        judged.iter().enumerate().filter_map(of).collect()
+    }
+
     /// The relative error in the L2 mean: √err², 0 where that is negative.
     pub fn error(&self) -> f64 {
         self.squared.max(0.0).sqrt()
@@ -417,6 +436,14 @@ fn pooled_error(judged: &[Judged]) -> f64 {
     (errors().map(|error| error * error).sum::<f64>() / errors().count().max(1) as f64).sqrt()
 }
 
+/// Whether a printed number is off by more than chance, by its own error and by the `pooled` one, as the largest of
+/// `count` is, and by a hundredth of the `mean`.
+fn is_outlier(printed: f64, found: &Mean, pooled: f64, mean: f64, count: usize) -> bool {
+    let difference = (printed - found.value).abs();
+    let seldom = normal_of_student(difference / found.error.max(pooled), FREEDOM) > threshold(count);
+    seldom && difference > NEGLIGIBLE * mean
+}
+
 /// The readings that add most to err²; `mean` is the L2 mean of what is true.
 fn worst_readings(judged: &[Judged], terms: &[Terms], mean: f64, count: usize) -> Vec<WorstReading> {
     let pooled = pooled_error(judged);
@@ -427,10 +454,7 @@ fn worst_readings(judged: &[Judged], terms: &[Terms], mean: f64, count: usize) -
         let pairs = || own.printed.iter().copied().zip(own.estimate.bands.iter().copied()).enumerate();
         let off = |(_, (printed, found)): &(usize, (f64, Mean))| (printed - found.value).abs();
         let (band, (printed, found)) = pairs().max_by(|a, b| off(a).total_cmp(&off(b)))?;
-        let difference = (printed - found.value).abs();
-        let seldom =
-            normal_of_student(difference / found.error.max(pooled), FREEDOM) > threshold(judged.len());
-        let is_outlier = seldom && difference > NEGLIGIBLE * mean;
+        let is_outlier = is_outlier(printed, &found, pooled, mean, judged.len());
         Some(WorstReading { reading: *reading, of: own.class.clone(), band, printed, found, is_outlier })
     };
     order.iter().take(count).filter_map(named).collect()

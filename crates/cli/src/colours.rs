@@ -7,8 +7,8 @@ use radiosity_output::drawings::false_colour::FalseColours;
 use radiosity_output::drawings::nice_numbers::{round_above, round_around, round_below};
 use radiosity_output::drawings::scale::{DEEPEST, Scale};
 use radiosity_output::drawings::tick::Tick;
-use radiosity_reading::digits::short;
 use radiosity_scene::Scene;
+use radiosity_work::digits::short;
 
 use crate::error::CliError;
 

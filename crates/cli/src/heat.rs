@@ -10,9 +10,9 @@ use radiosity_heat::Heat;
 use radiosity_kernel::WorstError;
 use radiosity_output::documents::heat as output;
 use radiosity_reading::accuracy_warning::{corrected, missed, no_error_of_order};
-use radiosity_reading::digits::significant;
 use radiosity_request::HeatRequest;
 use radiosity_scene::Scene;
+use radiosity_work::digits::significant;
 use radiosity_work::ranks::Ranks;
 use radiosity_work::{Observer, Progress as Event, Stage, Work};
 

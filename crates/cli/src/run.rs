@@ -15,7 +15,7 @@ use radiosity_reading::rank_work::RanksWork;
 use radiosity_reading::read_error::ReadError;
 use radiosity_reading::reader::Reader;
 use radiosity_reading::report::Report;
-use radiosity_request::MethodRequest;
+use radiosity_request::{CheckRequest, MethodRequest};
 use radiosity_solve::solved::Solved;
 use radiosity_solve::studies::adaptation::Goal;
 use radiosity_solve::{Options, in_threads};
@@ -41,6 +41,9 @@ pub(crate) struct RunArgs {
 
     #[command(flatten)]
     pub(crate) checkpoint: CheckpointArgs,
+
+    #[command(flatten)]
+    pub(crate) check: CheckRequest,
 
     #[command(flatten)]
     pub(crate) report: ReportArgs,

@@ -13,7 +13,6 @@ use radiosity_output::files::exr_file::read_exr;
 use radiosity_output::pictures::image::Image;
 use radiosity_output::pictures::tone::Tone;
 use radiosity_reading::difference::Difference;
-use radiosity_reading::digits::three_digits;
 use radiosity_reading::field::Field;
 use radiosity_reading::pictures::raster::Raster;
 use radiosity_reading::pictures::seen_surfaces::SeenSurfaces;
@@ -21,6 +20,7 @@ use radiosity_reading::quantity::{Quantity, band_name};
 use radiosity_request::ranges::Positive;
 use radiosity_scene::{Camera, Scene};
 use radiosity_solve::solved::Solved;
+use radiosity_work::digits::three_digits;
 use radiosity_work::ranks::Ranks;
 
 use crate::{colours::ColourArgs, error::CliError, format, numbers::number, reference};

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::Args;
 use radiosity_reading::checkpoint::Checkpoint;
 use radiosity_reading::rank_work::RanksWork;
-use radiosity_request::TransferRequest;
+use radiosity_request::{CheckRequest, TransferRequest};
 use radiosity_scene::Scene;
 use radiosity_work::ranks::Ranks;
 
@@ -19,6 +19,9 @@ pub(crate) struct TransferArgs {
 
     #[command(flatten)]
     pub(crate) checkpoint: CheckpointArgs,
+
+    #[command(flatten)]
+    pub(crate) check: CheckRequest,
 
     /// Prints no progress and no summary
     #[arg(long, short, help_heading = "Messages")]

@@ -13,10 +13,10 @@ use radiosity_solve::solution::group_light::GroupLight;
 use radiosity_solve::solved::Solved;
 use radiosity_work::Work;
 
-use crate::digits::significant;
 use crate::probe::{Probe, probe_each};
 use crate::quality::ReadSettings;
 use crate::reader::ReadMode;
+use radiosity_work::digits::significant;
 
 /// Part of the readings that are points of surfaces where there are planes. Chosen: planes are asked for, and
 /// surfaces send them their light.

@@ -1,6 +1,6 @@
 //! Light read from a solution, with its errors, warnings and report.
 //!
-//! In order: numbers as texts ([`digits`]), values on a grid of points ([`field`]), warnings, light at points
+//! In order: values on a grid of points ([`field`]), warnings, light at points
 //! and sensors ([`reader`], [`probe`], [`grid`], [`uniformity`], [`plane_figures`]) with its errors
 //! ([`read_error`], [`quality`]) and what a referee says of it ([`judging`]) and
 //! of view factors ([`judged_factors`]), the report of a run ([`report`],
@@ -10,7 +10,6 @@
 //! Imports `core`, `geom`, `solvers`, `work`, `scene`, `language`, `audit`, `visibility`, `elements`,
 //! `kernel`, `transport`, `light`, `published` and `solve`.
 
-pub mod digits;
 pub mod field;
 pub mod warning;
 pub mod uniformity;

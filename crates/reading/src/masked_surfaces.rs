@@ -8,7 +8,7 @@ use radiosity_scene::Scene;
 use radiosity_solve::solution::Solution;
 use serde::Serialize;
 
-use crate::digits::decimals;
+use radiosity_work::digits::decimals;
 
 /// The shadow masks between the elements of two surfaces.
 #[derive(Clone, Debug, PartialEq, Serialize)]

@@ -6,8 +6,8 @@ use radiosity_solve::gather::read_irradiance::Deviation;
 use radiosity_work::wording::{option, words};
 use serde::Serialize;
 
-use crate::digits::decimals;
 use crate::warning::Warning;
+use radiosity_work::digits::decimals;
 
 /// Errors of readings, over those asked for, that are worth a warning. Chosen.
 const MISSED: f64 = 1.5;

@@ -5,8 +5,8 @@ use radiosity_kernel::Accuracy;
 use radiosity_solve::view_factors::ViewFactors;
 use radiosity_work::wording::{command, option, words};
 
-use crate::digits::decimals;
 use crate::warning::Warning;
+use radiosity_work::digits::decimals;
 
 /// Error of row sums from which they tell nothing of a scene. Chosen.
 const VAGUE: f64 = 0.1;

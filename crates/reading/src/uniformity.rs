@@ -7,7 +7,7 @@
 
 use serde::Serialize;
 
-use crate::digits::three_digits;
+use radiosity_work::digits::three_digits;
 
 /// Part of the greatest value that is told as 0. Chosen.
 const ROUNDING: f64 = 1e-9;

@@ -35,6 +35,31 @@ pub struct AuditRequest {
     pub seed: Option<Seed>,
 }
 
+/// Options of the referee beside a run; None where nothing is said.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Deserialize)]
+#[serde(default)]
+#[cfg_attr(feature = "clap", derive(clap::Args))]
+pub struct CheckRequest {
+    /// Seconds that about two threads take to check what is printed by path tracing; the number of rays follows
+    /// from this and from counts of the scene [default: a tenth of the run, 0.1 to 5]
+    #[cfg_attr(feature = "clap", arg(long, value_name = "SECONDS", allow_negative_numbers = true))]
+    pub audit: Option<Number<Seconds>>,
+}
+
+impl CheckRequest {
+    /// Readings that are checked. Chosen: an L2 mean of 64 is known to a tenth of itself.
+    pub const READINGS: usize = READINGS;
+
+    /// Walks for each of so many readings of a scene, beside a run of about so many seconds, which follow from counts
+    /// of its work.
+    pub fn effort(&self, run: f64, readings: usize, scene: &Scene) -> Effort {
+        match self.audit {
+            Some(seconds) => Effort::of_seconds(f64::from(seconds), readings, scene),
+            None => Effort::beside(run, readings, scene),
+        }
+    }
+}
+
 impl AuditRequest {
     /// The readings to be judged of a solution that is read with `settings`.
     pub fn judging(&self, solved: &Solved, settings: &ReadSettings) -> Judging {

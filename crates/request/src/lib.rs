@@ -26,7 +26,7 @@ mod scene;
 pub mod picture;
 pub mod cells;
 
-pub use audit::AuditRequest;
+pub use audit::{AuditRequest, CheckRequest};
 pub use conflicts::{KEPT, check_series, require_all_light};
 pub use method::MethodRequest;
 pub use modes::{Kernel, LightShadows};

@@ -3,7 +3,6 @@
 use radiosity_published::bases::Basis;
 use radiosity_published::hierarchy::Counts;
 use radiosity_reading::checkpoint::Checkpoint;
-use radiosity_reading::digits::decimals;
 use radiosity_reading::rank_work::RanksWork;
 use radiosity_reading::report::{NamedJump, Report, Transport};
 use radiosity_reading::warning::Warning;
@@ -11,6 +10,7 @@ use radiosity_scene::LightGroup;
 use radiosity_solve::checks::Checks;
 use radiosity_solve::studies::adaptation::Aim;
 use radiosity_solve::{Functional, ShotLimit, Shots};
+use radiosity_work::digits::decimals;
 
 use super::Run;
 use crate::loaded::remarks;

@@ -8,7 +8,7 @@ use serde::Serialize;
 use crate::files::npy;
 use crate::files::npz::Archive;
 use crate::table::{Column, Listed, Table, Value};
-use radiosity_reading::digits::significant;
+use radiosity_work::digits::significant;
 
 /// CSV with a row for each surface; an emissivity that is not known is left empty.
 ///

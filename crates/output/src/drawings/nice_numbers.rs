@@ -1,7 +1,7 @@
 //! Round numbers: ends and ticks of scales, levels of isolines, with their texts.
 
 use super::tick::Tick;
-use radiosity_reading::digits::short;
+use radiosity_work::digits::short;
 
 /// Mantissas of round ends of a range.
 const ENDS: [f64; 11] = [1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0];

@@ -1,7 +1,7 @@
 //! Judged heat: flows and temperatures of surfaces.
 
 use radiosity_heat::judging::{JudgedHeat, JudgedSurface};
-use radiosity_reading::digits::{decimals, error, significant};
+use radiosity_work::digits::{decimals, error, significant};
 
 use super::judgement::{DIGITS, Judgement, finite, mark};
 use crate::table::{Column, Table, Value};

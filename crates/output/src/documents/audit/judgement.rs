@@ -4,8 +4,8 @@ use std::borrow::Cow;
 use std::io::{self, Write};
 
 use radiosity_audit::Verdict;
-use radiosity_reading::digits::{decimals, significant};
 use radiosity_reading::judging::checked;
+use radiosity_work::digits::{decimals, significant};
 use serde::Serialize;
 
 use crate::table::{Column, Table, Value};

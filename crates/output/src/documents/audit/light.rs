@@ -1,8 +1,8 @@
 //! Judged light: readings at places.
 
-use radiosity_reading::digits::{decimals, error, significant};
 use radiosity_reading::judging::{JudgedReading, JudgedRun, Judging};
 use radiosity_scene::Scene;
+use radiosity_work::digits::{decimals, error, significant};
 
 use super::judgement::{DIGITS, Judgement, finite, mark, signed_percent};
 use crate::table::{Column, Table, Value};

@@ -1,7 +1,7 @@
 //! Judged view factors.
 
-use radiosity_reading::digits::{decimals, error, significant};
 use radiosity_reading::judged_factors::{JudgedFactor, JudgedFactors};
+use radiosity_work::digits::{decimals, error, significant};
 
 use super::judgement::{DIGITS, Judgement, finite, mark, signed_percent};
 use crate::table::{Column, Table, Value};

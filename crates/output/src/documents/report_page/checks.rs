@@ -5,8 +5,8 @@ use radiosity_scene::Scene;
 use super::light_part::LightPart;
 use crate::documents::document::Block;
 use crate::table::{Column, Table};
-use radiosity_reading::digits::{decimals, error, significant};
 use radiosity_reading::quantity::power_unit;
+use radiosity_work::digits::{decimals, error, significant};
 
 pub(super) fn blocks(scene: &Scene, light: &LightPart) -> Vec<Block> {
     let columns = [Column::text("check"), Column::numbers("found", ""), Column::text("without errors")];

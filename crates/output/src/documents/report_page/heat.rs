@@ -4,7 +4,7 @@ use radiosity_heat::{Heat, HeatError};
 
 use crate::documents::document::Block;
 use crate::documents::heat::table;
-use radiosity_reading::digits::significant;
+use radiosity_work::digits::significant;
 
 /// Digits of computed figures. Chosen: errors of a thousandth are usual.
 const DIGITS: usize = 4;

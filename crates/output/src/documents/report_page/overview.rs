@@ -6,8 +6,8 @@ use radiosity_solve::checks::Checks;
 
 use super::light_part::{LightPart, ReportedPlane};
 use crate::documents::document::{Block, Highlight};
-use radiosity_reading::digits::{decimals, error, significant, three_digits};
 use radiosity_reading::quantity::{Quantity, power_unit};
+use radiosity_work::digits::{decimals, error, significant, three_digits};
 
 /// Most planes at a glance. Chosen.
 const PLANES: usize = 6;

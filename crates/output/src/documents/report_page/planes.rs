@@ -5,10 +5,10 @@ use radiosity_scene::{Scene, SensorPlane};
 use super::light_part::{LightPart, ReportedPlane, plan_name};
 use crate::documents::document::{Block, Figure};
 use crate::table::{Column, Table};
-use radiosity_reading::digits::{column, short, significant};
 use radiosity_reading::plane_figures::{BandFigures, PlaneFigures};
 use radiosity_reading::quantity::Quantity;
 use radiosity_reading::uniformity::Uniformity;
+use radiosity_work::digits::{column, short, significant};
 
 pub(super) fn blocks(scene: &Scene, light: &LightPart) -> Vec<Block> {
     if light.plans.is_empty() {

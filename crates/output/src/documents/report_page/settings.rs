@@ -6,8 +6,8 @@ use radiosity_scene::Scene;
 use super::light_part::LightPart;
 use crate::documents::document::Block;
 use crate::table::{Column, Table};
-use radiosity_reading::digits::short;
 use radiosity_reading::reader::ReadMode;
+use radiosity_work::digits::short;
 
 pub(super) fn blocks(scene: &Scene, light: Option<&LightPart>, command: &str) -> Vec<Block> {
     let mut blocks = vec![Block::Heading("Settings".to_owned())];

@@ -5,9 +5,9 @@ use radiosity_scene::{Scene, SceneSurface};
 use super::light_part::LightPart;
 use crate::documents::document::Block;
 use crate::table::{Column, Table};
-use radiosity_reading::digits::{column, significant};
 use radiosity_reading::quantity::{Quantity, of_bands, power_unit};
 use radiosity_reading::surface_light::SurfaceLight;
+use radiosity_work::digits::{column, significant};
 
 /// Most rows of a table. Chosen: some ten pages.
 const MOST: usize = 400;

@@ -1,0 +1,224 @@
+//! Errors that a run tells, made true by its referee.
+//!
+//! Each printed number has an estimate of its error that the method makes by itself, its *own* estimate o. They are
+//! multiplied by one factor κ ≥ 1 a run and quantity,
+//!
+//! ```text
+//! κ² = max(1, (err² + SE) / o²) ,     o² = Σ w o_i² / Σ w (M_i² − s_i²)     where err² > SE, else 1 ,
+//! ```
+//!
+//! err² and its standard error SE as in [`Verdict`]. Own estimates that are too small are thereby made as large as
+//! what is found; what no walk can see, such as the last digits of a smooth enclosure, stays told by the method. A
+//! number at which the referee looked and which is off by more than chance errs by at least that difference.
+
+use std::fmt;
+
+use radiosity_work::digits::significant;
+use serde::Serialize;
+
+use crate::verdict::{Judged, Verdict};
+
+/// Relative error that would be seen beyond which what was found is nothing but rounding.
+const NOTHING: f64 = 1e3;
+
+/// Classes that a finding names at the most. Chosen: what a line of a terminal holds.
+const NAMED: usize = 5;
+
+/// The error of a run that its referee found, as summaries and reports tell it.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Checked {
+    /// Relative error in the L2 mean; 0 where none was seen.
+    pub error: f64,
+    /// Its standard error.
+    pub error_sd: f64,
+    /// The least relative error that would have been seen.
+    pub visible: f64,
+    /// Relative error in the L2 mean by the method's own estimates.
+    pub own_error: f64,
+    /// κ, the factor that these are multiplied by.
+    pub error_factor: f64,
+    /// Counts, and what differs most.
+    pub audit: Looked,
+    /// Plural noun of what was judged.
+    #[serde(skip)]
+    of: &'static str,
+    /// Whether the error exceeds chance.
+    #[serde(skip)]
+    is_seen: bool,
+    /// Words on what differs by more than chance and by more than the own estimates tell.
+    #[serde(skip)]
+    finding: Option<String>,
+    /// Differences of the readings that are off, by their numbers.
+    #[serde(skip)]
+    off: Vec<(usize, f64)>,
+}
+
+/// What a referee looked at.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Looked {
+    /// Readings.
+    pub readings: usize,
+    /// Rays.
+    pub rays: u64,
+    /// The mean of signed differences, printed less true, that exceeds chance most; None without any.
+    pub signed_mean: Option<Named>,
+    /// The reading that differs most; None where nothing was read.
+    pub worst: Option<Named>,
+}
+
+/// A difference, printed less true, with its surface or plane.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Named {
+    /// Name of the surface or plane.
+    pub of: String,
+    /// The difference over what is true.
+    pub relative: f64,
+    /// Its standard error.
+    pub error: f64,
+}
+
+impl Checked {
+    /// What `verdict` on the readings `judged` makes of the method's `own` estimates of their errors, one for each
+    /// reading: root mean squares over its bands. `of` is the plural noun of what was judged.
+    ///
+    /// # Panics
+    /// If there is not an estimate for each reading.
+    pub fn of(judged: &[Judged], own: &[f64], verdict: &Verdict, of: &'static str) -> Self {
+        assert_eq!(judged.len(), own.len(), "an estimate for each reading");
+        let own_error = relative(judged, own);
+        let worst = verdict.worst.first().map(|worst| Named {
+            of: worst.of.clone(),
+            relative: (worst.printed - worst.found.value) / worst.found.value.abs(),
+            error: worst.found.error / worst.found.value.abs(),
+        });
+        let signed_mean = verdict.signed.first().map(|signed| Named {
+            of: signed.of.clone(),
+            relative: signed.relative,
+            error: signed.error,
+        });
+        Self {
+            error: verdict.error(),
+            error_sd: verdict.error_sd(),
+            visible: verdict.visible(),
+            own_error,
+            error_factor: factor(verdict, own_error),
+            audit: Looked { readings: verdict.readings, rays: verdict.rays, signed_mean, worst },
+            of,
+            is_seen: verdict.exceeds(0.0),
+            finding: finding(verdict, own_error, of),
+            off: Verdict::off(judged),
+        }
+    }
+
+    /// The error that is told of a number of the `own` estimate; `reading` is its number among those that were
+    /// judged, if it was.
+    pub fn told(&self, own: f64, reading: Option<usize>) -> f64 {
+        let is = |(number, _): &&(usize, f64)| Some(*number) == reading;
+        let found = self.off.iter().find(is).map_or(0.0, |(_, difference)| *difference);
+        (self.error_factor * own).max(found)
+    }
+
+    /// Whether more was found than the method's own estimates tell, by more than three standard errors.
+    pub fn finds_more(&self) -> bool {
+        self.finding.is_some()
+    }
+
+    /// Words on that, with the names of the places.
+    pub fn finding(&self) -> Option<&str> {
+        self.finding.as_deref()
+    }
+}
+
+/// The line of a summary.
+impl fmt::Display for Checked {
+    fn fmt(&self, to: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let said = match self.is_seen {
+            true => format!("off by {} % (± {} %)", percent(self.error), percent(self.error_sd)),
+            false if self.visible == 0.0 => "no difference".to_owned(),
+            false if self.visible > NOTHING => "all are 0 as far as walks tell".to_owned(),
+            false => format!("no error above {} % seen", percent(self.visible)),
+        };
+        write!(to, "checked at {} {} by path tracing: {said}", self.audit.readings, self.of)
+    }
+}
+
+/// Relative size of these estimates in the L2 mean.
+fn relative(judged: &[Judged], own: &[f64]) -> f64 {
+    let square = |(judged, own): (&Judged, &f64)| judged.weight * judged.printed.len() as f64 * own * own;
+    let squares: f64 = judged.iter().zip(own).map(square).sum();
+    let size = Verdict::size(judged);
+    if squares == 0.0 { 0.0 } else { (squares / size).sqrt() }
+}
+
+/// κ for own estimates of this relative size.
+fn factor(verdict: &Verdict, own: f64) -> f64 {
+    let error = verdict.squared_error.max(verdict.by_chance);
+    if verdict.squared <= error || own == 0.0 {
+        return 1.0;
+    }
+    ((verdict.squared + error).sqrt() / own).max(1.0)
+}
+
+/// Words on what exceeds the relative error `told`.
+fn finding(verdict: &Verdict, told: f64, of: &str) -> Option<String> {
+    if !verdict.finds(told) {
+        return None;
+    }
+    let all = verdict.exceeds(told).then(|| {
+        let [error, sd] = [verdict.error(), verdict.error_sd()].map(percent);
+        format!("all {of} together by {error} % (± {sd} %)")
+    });
+    let found = verdict.signed.iter().filter(|own| own.finds(told)).take(NAMED);
+    let signed = found
+        .map(|own| format!("\"{}\" by {} % (± {} %)", own.of, percent(own.relative), percent(own.error)));
+    let parts: Vec<String> = all.into_iter().chain(signed).collect();
+    Some(parts.join(", "))
+}
+
+fn percent(part: f64) -> String {
+    significant(100.0 * part, 2)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::referee::Mean;
+
+    /// Readings of which 1 ± 1e-4 is true, printed so.
+    fn judged(printed: &[f64]) -> Vec<Judged> {
+        let found = Mean { value: 1.0, error: 1e-4 };
+        printed.iter().map(|printed| Judged::of_number("floor", *printed, found, 1)).collect()
+    }
+
+    fn checked(printed: &[f64], own: f64) -> Checked {
+        let judged = judged(printed);
+        Checked::of(&judged, &vec![own; judged.len()], &Verdict::of(&judged, 3), "readings")
+    }
+
+    #[test]
+    fn own_estimates_that_are_too_small_become_as_large_as_what_is_found() {
+        let off = checked(&[1.02; 64], 1e-3);
+        assert!(
+            (off.error_factor - 20.0).abs() < 0.2 && (off.told(1e-3, None) - 0.02).abs() < 2e-4,
+            "{off:?}"
+        );
+        assert!(off.finds_more() && off.to_string().contains("off by 2 %"), "{off}");
+        let enough = checked(&[1.02; 64], 0.03);
+        assert!(enough.error_factor == 1.0 && !enough.finds_more(), "{enough:?}");
+    }
+
+    #[test]
+    fn digits_below_what_walks_see_stay_told_by_the_method() {
+        let right = checked(&[1.0; 64], 1e-9);
+        assert_eq!((right.error_factor, right.told(1e-9, Some(3))), (1.0, 1e-9));
+        assert!(right.to_string().contains("no error above 0.007") && right.finding().is_none(), "{right}");
+    }
+
+    #[test]
+    fn a_number_that_is_off_errs_by_its_difference() {
+        let mut printed = [1.0; 64];
+        printed[5] = 1.3;
+        let one = checked(&printed, 1e-3);
+        assert!((one.told(1e-3, Some(5)) - 0.3).abs() < 1e-9 && one.told(1e-3, Some(4)) < 0.1, "{one:?}");
+    }
+}
