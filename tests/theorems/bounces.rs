@@ -67,7 +67,7 @@ fn gathered_light_counts_the_same_reflections() {
             let found = gather(&outcome.solution, &visibility, 1e-3).at(&middle)[0];
             assert!((found / expected - 1.0).abs() < 3e-3, "{bounces}: {found} {expected}");
         }
-        let rays = RayGather::new(&outcome.solution, &visibility, 3e-3, true);
+        let rays = RayGather::new(&outcome.solution, &visibility, 3e-3, Beyond::Gathered);
         let found = rays.read(&Receiver::Point(middle)).irradiance[0];
         assert!((found / expected - 1.0).abs() < 2e-2, "{bounces}: {found} {expected}");
     }

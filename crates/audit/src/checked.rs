@@ -4,10 +4,10 @@
 //! multiplied by one factor κ ≥ 1 a run and quantity,
 //!
 //! ```text
-//! κ² = max(1, (err² + SE) / o²) ,     o² = Σ w o_i² / Σ w (M_i² − s_i²)     where err² > SE, else 1 ,
+//! κ = Verdict::factor(o) ,     o² = Σ w o_i² / Σ w (M_i² − s_i²) .
 //! ```
 //!
-//! err² and its standard error SE as in [`Verdict`]. Own estimates that are too small are thereby made as large as
+//! Own estimates that are too small are thereby made as large as
 //! what is found; what no walk can see, such as the last digits of a smooth enclosure, stays told by the method. A
 //! number at which the referee looked and which is off by more than chance errs by at least that difference.
 
@@ -101,7 +101,7 @@ impl Checked {
             error_sd: verdict.error_sd(),
             visible: verdict.visible(),
             own_error,
-            error_factor: factor(verdict, own_error),
+            error_factor: verdict.factor(own_error),
             audit: Looked { readings: verdict.readings, rays: verdict.rays, signed_mean, worst },
             of,
             is_seen: verdict.exceeds(0.0),
@@ -148,15 +148,6 @@ fn relative(judged: &[Judged], own: &[f64]) -> f64 {
     let squares: f64 = judged.iter().zip(own).map(square).sum();
     let size = Verdict::size(judged);
     if squares == 0.0 { 0.0 } else { (squares / size).sqrt() }
-}
-
-/// κ for own estimates of this relative size.
-fn factor(verdict: &Verdict, own: f64) -> f64 {
-    let error = verdict.squared_error.max(verdict.by_chance);
-    if verdict.squared <= error || own == 0.0 {
-        return 1.0;
-    }
-    ((verdict.squared + error).sqrt() / own).max(1.0)
 }
 
 /// Words on what exceeds the relative error `told`.

@@ -192,6 +192,19 @@ impl Verdict {
         (self.squared.max(0.0) + self.squared_error.max(self.by_chance)).sqrt()
     }
 
+    /// The factor κ ≥ 1 by which a method's own estimates of the relative error `own` in the L2 mean are too small,
+    ///
+    /// ```text
+    /// κ² = max(1, (err² + SE) / own²)     where err² > SE, else 1 .
+    /// ```
+    pub fn factor(&self, own: f64) -> f64 {
+        let error = self.squared_error.max(self.by_chance);
+        if self.squared <= error || own == 0.0 {
+            return 1.0;
+        }
+        ((self.squared + error).sqrt() / own).max(1.0)
+    }
+
     /// Whether the readings differ by more than chance from what is true and by more than `told`, the relative
     /// error that the run tells: in the L2 mean, in a signed mean, or in single readings.
     pub fn finds(&self, told: f64) -> bool {

@@ -6,7 +6,6 @@ use radiosity_reading::reader::ReadMode;
 use radiosity_solve::Options;
 use radiosity_solve::gather::gather_method::GatherMethod;
 use radiosity_solve::solved::Solved;
-use radiosity_solve::studies::adaptation::Goal;
 use radiosity_visibility::Shadows;
 use radiosity_work::wording::{Wording, option, set, value, words};
 use serde::Deserialize;
@@ -16,8 +15,8 @@ use super::method::MethodRequest;
 use super::ranges::{Accuracy, Number};
 use super::refusal::Refusal;
 
-/// Accuracy that a solution by rays is worth being read to. Chosen: its own error is some percent, of which
-/// this adds little.
+/// Accuracy that a solution by rays is worth being read to, and that of readings by walks. Chosen: the error of the
+/// former is some percent, of which this adds little.
 const BY_RAYS: f64 = 1e-2;
 
 /// Options of the reading of a solution; None where nothing is said.
@@ -70,16 +69,17 @@ impl ReadRequest {
                     + " gather none",
                 words("leave one of them out, or take ") + set("read", "gather"),
             ),
-            _ if self.read_by == Some(GatherMethod::Rays) => self.check_rays(options),
+            _ if self.read_by == Some(GatherMethod::Rays) => self.check_rays(options, "rays"),
+            _ if self.read_by == Some(GatherMethod::Walks) => self.check_rays(options, "walks"),
             _ => Ok(()),
         }
     }
 
-    /// Refuses rays where they cannot gather what is asked for.
-    fn check_rays(&self, options: &Options) -> Result<(), Refusal> {
+    /// Refuses rays, or walks of them, where they cannot gather what is asked for.
+    fn check_rays(&self, options: &Options, name: &str) -> Result<(), Refusal> {
         if options.masks.is_some() || options.shadows == Shadows::Off {
             return Err(Refusal::new(
-                set("read-by", "rays")
+                set("read-by", name)
                     + " always sees exact shadows, and the solution has others: "
                     + set("shadows", "mask")
                     + " or "
@@ -91,7 +91,7 @@ impl ReadRequest {
             return Err(Refusal::new(
                 option("read-samples")
                     + " counts points, and "
-                    + set("read-by", "rays")
+                    + set("read-by", name)
                     + " sends rays until their error is small",
                 words("leave one of them out; ") + option("read-eps") + " says how small",
             ));
@@ -110,7 +110,7 @@ impl ReadRequest {
         ReadSettings {
             read: method.read(self.read).unwrap_or(usual.read),
             // Rays count no points.
-            by: if self.samples.is_some() { GatherMethod::Cells } else { self.read_by.unwrap_or_default() },
+            by: if self.samples.is_some() { GatherMethod::Cells } else { self.read_by.unwrap_or(usual.by) },
             eps: self.read_eps.map_or(eps, f64::from),
             rates: self.samples.unwrap_or(usual.rates),
         }
@@ -119,24 +119,24 @@ impl ReadRequest {
     /// The reading that was asked for; the rest as the quality and the solution say; no coarser than the
     /// accuracy of the solution, where one was asked for. `is_saved`: the solution was read from a file.
     pub fn reading(&self, method: &MethodRequest, solved: &Solved, is_saved: bool) -> ReadSettings {
-        let usual = method.quality.unwrap_or_default().reading();
+        let achieved = solved.achieved;
+        let by = self.read_by.or(achieved.map(|achieved| achieved.by)).unwrap_or_default();
+        let usual = ReadSettings { by, ..method.quality.unwrap_or_default().reading() };
+        let wanted = achieved.and_then(|achieved| achieved.reading());
+        if by == GatherMethod::Walks {
+            return self.asked(method, usual, wanted.unwrap_or(BY_RAYS));
+        }
         let is_sampled = solved.outcome.sampling.is_some();
         let of_solution = if is_sampled { usual.eps.max(BY_RAYS) } else { usual.eps };
-        let saved = if is_saved { saved_accuracy(solved) } else { None };
-        let asked = [method.eps.map(f64::from), method.wanted_accuracy().map(Goal::reading), saved]
-            .into_iter()
-            .flatten();
+        let saved = if is_saved && achieved.is_none() { saved_accuracy(solved) } else { None };
+        let asked = [method.eps.map(f64::from), wanted, saved].into_iter().flatten();
         self.asked(method, usual, asked.fold(of_solution, f64::min))
     }
 }
 
 /// Relative accuracy that a solution read from a file is worth being read to, where that is finer than usual.
 fn saved_accuracy(solved: &Solved) -> Option<f64> {
-    let Solved { options, achieved, .. } = solved;
-    match achieved {
-        Some(achieved) => achieved.wanted.or(achieved.estimate).map(Goal::reading),
-        None => Some(options.eps).filter(|eps| *eps < Options::default().eps),
-    }
+    Some(solved.options.eps).filter(|eps| *eps < Options::default().eps)
 }
 
 /// Refuses an accuracy of gathered light where polynomials are read, and light of some shots where more than

@@ -4,7 +4,7 @@ use radiosity_geom::DVec3;
 use serde::{Deserialize, Serialize};
 
 use crate::gather::gather_method::GatherMethod;
-use crate::tolerances::OF_ACCURACY;
+use crate::tolerances::{OF_ACCURACY, OF_WALKS};
 
 /// The wanted accuracy, and what is to have it.
 #[derive(Clone, Debug)]
@@ -18,6 +18,9 @@ pub struct Goal {
     pub points: Vec<[DVec3; 2]>,
     /// The way light is read.
     pub by: GatherMethod,
+    /// Number of readings for which the solution is made, none where it is itself what is wanted: a few readings
+    /// are sooner made right by walks than the solution by refinement.
+    pub readings: Option<usize>,
     /// A run with more unknowns per band is not begun, except the first, and but for links, which need no
     /// matrix.
     pub most_unknowns: usize,
@@ -43,12 +46,12 @@ impl Goal {
     /// `accuracy` of the polynomials, or of light gathered on all surfaces, with at most 8000 unknowns per
     /// band, whose matrix has half a gigabyte (8000² · 8 bytes).
     pub fn new(accuracy: f64, of: Aim) -> Self {
-        Self { accuracy, of, points: Vec::new(), by: GatherMethod::Auto, most_unknowns: 8000 }
+        Self { accuracy, of, points: Vec::new(), by: GatherMethod::Auto, readings: None, most_unknowns: 8000 }
     }
 
     /// The goal of this accuracy for light gathered at these points.
     pub fn at(accuracy: f64, points: Vec<[DVec3; 2]>) -> Self {
-        Self { points, ..Self::new(accuracy, Aim::Points) }
+        Self { readings: Some(points.len()), points, ..Self::new(accuracy, Aim::Points) }
     }
 
     /// The goal of this accuracy for the light that a picture shows of surfaces at these points.
@@ -61,6 +64,11 @@ impl Goal {
         Self { by, ..self }
     }
 
+    /// This goal, for so many readings alone.
+    pub fn for_readings(self, readings: usize) -> Self {
+        Self { readings: Some(readings), ..self }
+    }
+
     /// Relative accuracy that light is read to, so that its error is hardly more than that of what it is read
     /// from.
     pub fn reading(accuracy: f64) -> f64 {
@@ -71,7 +79,8 @@ impl Goal {
 /// The accuracy that an adaptation reached.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Achieved {
-    /// Estimated relative error of the finest run; None where its solver did not converge.
+    /// Relative error of the finest run, as a referee found it, or, below what that sees, by the method's own
+    /// estimate; None where its solver did not converge.
     pub estimate: Option<f64>,
     /// Relative error that was wanted; None in files of older versions.
     #[serde(default)]
@@ -81,12 +90,26 @@ pub struct Achieved {
     pub of: Aim,
     /// Reason why no finer run followed.
     pub end: EndReason,
+    /// The way in which the light has to be read to have this accuracy.
+    #[serde(default)]
+    pub by: GatherMethod,
 }
 
 impl Achieved {
     /// The accuracy with which a sequence for `goal` ended.
     pub(super) fn new(goal: &Goal, estimate: Option<f64>, end: EndReason) -> Self {
-        Self { estimate, wanted: Some(goal.accuracy), of: goal.of, end }
+        Self { estimate, wanted: Some(goal.accuracy), of: goal.of, end, by: goal.by }
+    }
+
+    /// The accuracy of light for `goal` that is read by walks.
+    pub(super) fn by_walks(goal: &Goal) -> Self {
+        Self { by: GatherMethod::Walks, ..Self::new(goal, Some(goal.accuracy), EndReason::Reached) }
+    }
+
+    /// Relative accuracy that light is read to for the accuracy that was wanted: by walks nothing else errs.
+    pub fn reading(&self) -> Option<f64> {
+        let wanted = self.wanted.or(self.estimate)?;
+        Some(if self.by == GatherMethod::Walks { OF_WALKS * wanted } else { Goal::reading(wanted) })
     }
 
     /// Whether the estimate is as small as wanted.

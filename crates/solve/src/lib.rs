@@ -5,7 +5,7 @@
 //! `solved` (a scene with its solution), `studies` (adaptation to a goal, convergence), `animation` (light
 //! that follows moving things) and `view_factors`.
 //!
-//! Imports `core`, `geom`, `solvers`, `work`, `scene`, `visibility`, `elements`, `kernel`, `transport`,
+//! Imports `core`, `geom`, `solvers`, `work`, `scene`, `audit`, `visibility`, `elements`, `kernel`, `transport`,
 //! `light` and `published`.
 
 pub mod tolerances;

@@ -250,6 +250,14 @@ impl Solution {
         self.bands.iter().map(sent).collect()
     }
 
+    /// Mean irradiance (W m⁻²) of each band over all surfaces.
+    pub(crate) fn mean_arriving(&self) -> Vec<f64> {
+        let area: f64 = self.elements.list().iter().map(|element| element.area).sum();
+        let ones = self.elements.constant();
+        let arriving = |band: &Band| dot(&band.coefficients.irradiance, &ones) / area;
+        self.bands.iter().map(arriving).collect()
+    }
+
     /// Direct light with its shadow masks, where there are any.
     pub fn masked(&self) -> Option<&MaskedLight> {
         self.masked.as_ref()

@@ -26,6 +26,10 @@ pub(crate) const OF_ERROR: f64 = 0.3;
 /// what was read.
 pub(crate) const OF_ACCURACY: f64 = 0.3;
 
+/// Part of the wanted accuracy that readings by walks are made for, which nothing else errs: the L2 mean of a dozen of
+/// them, each good to 0.8 of what it is asked for, then exceeds the accuracy hardly ever.
+pub(crate) const OF_WALKS: f64 = 0.7;
+
 /// Coarsest accuracy of gathering for an estimate of the polynomials' error: it suffices where they are as
 /// far off.
 pub(crate) const LOOSEST_FOR_POLYNOMIALS: f64 = 3e-2;

@@ -7,11 +7,19 @@
 //! Reference: M. Roberts, *The unreasonable effectiveness of quasirandom sequences* (2018): generalised
 //! golden ratio.
 
-/// Roots g of g^(D + 1) = g + 1 for D = 1, 2, 3, 4.
-const ROOTS: [f64; 4] =
-    [1.618_033_988_749_895, 1.324_717_957_244_746, 1.220_744_084_605_759_5, 1.167_303_978_261_418_7];
+/// Roots g of g^(D + 1) = g + 1 for D = 1, …, 8.
+const ROOTS: [f64; 8] = [
+    1.618_033_988_749_895,
+    1.324_717_957_244_746,
+    1.220_744_084_605_759_6,
+    1.167_303_978_261_418_7,
+    1.134_724_138_401_519_4,
+    1.112_775_684_278_705_5,
+    1.096_981_557_798_559_8,
+    1.085_070_245_491_451,
+];
 
-/// Point number `index` of the sequence in D = 1 to 4 dimensions.
+/// Point number `index` of the sequence in D = 1 to 8 dimensions.
 pub fn point<const D: usize>(index: u64) -> [f64; D] {
     let mut step = 1.0;
     std::array::from_fn(|_| {

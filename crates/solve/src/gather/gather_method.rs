@@ -11,7 +11,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::gather::Gather;
 use crate::gather::ray_count::usual_rays;
-use crate::gather::ray_gather::RayGather;
+use crate::gather::ray_gather::{Beyond, RayGather};
 use crate::gather::read_irradiance::ReadIrradiance;
 use crate::gather::receiver::Receiver;
 use crate::solution::Solution;
@@ -39,6 +39,8 @@ pub enum GatherMethod {
     Cells,
     /// By rays, until their error is small enough.
     Rays,
+    /// By rays that go on from surface to surface until they end: no error of the solution is left.
+    Walks,
 }
 
 /// Light that is gathered at points in one of the ways.
@@ -82,9 +84,11 @@ impl GatherMethod {
         rougher: f64,
         twice: bool,
     ) -> Gathering<'a> {
+        let by_rays = |beyond| Gathering::Rays(RayGather::new(solution, visibility, rougher * eps, beyond));
         match twice {
+            _ if self == Self::Walks => by_rays(Beyond::Walked),
             _ if self.rays(solution, visibility, rougher * eps, twice) => {
-                Gathering::Rays(RayGather::new(solution, visibility, rougher * eps, twice))
+                by_rays(if twice { Beyond::Gathered } else { Beyond::Polynomials })
             }
             true => Gathering::Cells(Gather::twice(solution, visibility, eps)),
             false => Gathering::Cells(Gather::new(solution, visibility, eps)),
@@ -102,7 +106,7 @@ impl GatherMethod {
         };
         match self {
             Self::Cells => false,
-            Self::Rays => is_plain,
+            Self::Rays | Self::Walks => is_plain,
             Self::Auto => is_plain && is_cheaper(),
         }
     }

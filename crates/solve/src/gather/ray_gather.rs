@@ -23,6 +23,10 @@
 //!
 //! Gathered twice, E₁(y) is itself estimated so, by one ray of either kind.
 //!
+//! *Walked*, E₁(y) is estimated so too, and so is what the ray from y meets, and so on: nothing of the polynomials
+//! is left, and the estimate has no bias at all. A walk whose share of what is read is w, the product of the
+//! reflectances on its way, goes on with the probability q = min(1, 2 w), and what it finds counts 1/q times.
+//!
 //! References: P. Shirley, C. Wang, K. Zimmerman, *Monte Carlo techniques for direct lighting calculations*,
 //! ACM TOG 15 (1996); E. Veach, L. Guibas, SIGGRAPH 1995, 419-428 (the balance heuristic).
 
@@ -44,7 +48,7 @@ use radiosity_transport::tolerances::BATCHES;
 use radiosity_visibility::Visibility;
 use radiosity_work::interruption::check_interrupt_at;
 
-use crate::gather::ray_count::most_rays;
+use crate::gather::ray_count::{most_rays, most_walks};
 use crate::gather::read_irradiance::{Deviation, ReadIrradiance};
 use crate::gather::receiver::Receiver;
 use crate::gather::walks::front_met;
@@ -55,6 +59,9 @@ use crate::solution::{Solution, SurfacePlace};
 /// classroom.
 const FIRST: u64 = 64;
 const FIRST_OF_MANY: u64 = 32;
+
+/// [`FIRST`] of walks. Chosen: a few of them bring much of the light, and without any the error looks small.
+const FIRST_WALKS: u64 = 256;
 
 /// Factor on the standard deviation of so few sequences where it decides that rays are enough: those whose
 /// sequences agree by chance stop first. Measured in a classroom.
@@ -77,6 +84,21 @@ const SMALL: f64 = 1.0;
 /// % in 14, 17, 23 and 28 s with polynomials everywhere, 10, 4 and 1.
 const SMALL_BEHIND_PIXELS: f64 = 10.0;
 
+/// 2 in q = min(1, 2 w). Measured: the factor of the least variance in equal time on most of 17 scenes
+/// (`docs/theory/error.md`).
+const GOING_ON: f64 = 2.0;
+
+/// Light that the surfaces reflect which rays meet.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Beyond {
+    /// The polynomials of the solution.
+    Polynomials,
+    /// Gathered in its turn by one ray of either kind.
+    Gathered,
+    /// By rays that go on until they end.
+    Walked,
+}
+
 /// A solution whose light is gathered by rays.
 #[derive(Debug)]
 pub struct RayGather<'a> {
@@ -88,10 +110,31 @@ pub struct RayGather<'a> {
     /// Mean radiosity per band (W m⁻²).
     scale: Vec<f64>,
     eps: f64,
+    /// Irradiance per band below which errors are to be small relative to this (W m⁻²).
+    dark: Vec<f64>,
     /// Distance of surfaces that cover each other (scene length).
     touching: f64,
-    /// Whether the light that surfaces reflect is itself gathered.
-    twice: bool,
+    beyond: Beyond,
+}
+
+/// Numbers in [0, 1) that choose the rays from where another ended.
+#[derive(Clone, Copy)]
+struct Draws {
+    /// Direction of the cosine-distributed ray.
+    direction: [f64; 2],
+    /// Emitter, and point on it.
+    target: [f64; 3],
+    /// Whether a walk goes on.
+    dice: f64,
+}
+
+impl Draws {
+    /// Numbers that follow from `chance`.
+    fn of(chance: u64) -> Self {
+        let [polar, turn, choice, s] = shift(chance);
+        let [t, dice] = shift(number_of([f64::from_bits(chance)]));
+        Self { direction: [polar, turn], target: [choice, s, t], dice }
+    }
 }
 
 /// Sources of the irradiance where a ray ends.
@@ -104,6 +147,30 @@ enum EndLight {
     Direct { chance: u64, small: f64 },
     /// All by rays that this number chooses.
     Gathered(u64),
+    /// All by a walk whose share of what is read is the weight; `draws` choose its rays here, and `chance` those that
+    /// follow.
+    Walked { draws: Draws, chance: u64, weight: f64 },
+}
+
+impl EndLight {
+    /// The light of a surface that sends on these parts of it, one a band.
+    fn dimmed(self, factors: impl Iterator<Item = f64>) -> Self {
+        match self {
+            Self::Walked { draws, chance, weight } => {
+                Self::Walked { draws, chance, weight: weight * factors.fold(0.0, f64::max) }
+            }
+            other => other,
+        }
+    }
+}
+
+/// Light by the rays that were sent so far.
+struct Estimate {
+    /// Irradiance per band (W m⁻²).
+    irradiance: Vec<f64>,
+    deviation: Deviation,
+    /// Deviation relative to the irradiance, or to what counts as dark, which decides whether it is small enough.
+    missed: f64,
 }
 
 /// Where a ray meets the front of a surface.
@@ -131,15 +198,21 @@ struct ToLamps<'a> {
 }
 
 impl<'a> RayGather<'a> {
-    /// The light of `solution`, gathered once or twice, to about the relative accuracy `eps`; once where the
-    /// number of reflections is limited.
-    pub fn new(solution: &'a Solution, visibility: &'a Visibility, eps: f64, twice: bool) -> Self {
+    /// The light of `solution`, gathered to about the relative accuracy `eps`, with the light of what rays meet
+    /// taken from `beyond`; where the number of reflections is limited, from the polynomials.
+    pub fn new(solution: &'a Solution, visibility: &'a Visibility, eps: f64, beyond: Beyond) -> Self {
         let scale = solution.mean_radiosity();
         let lamps = Lamps::new(solution.elements().list(), &solution.coatings(), &scale);
         let touching = COINCIDENT * visibility.bounds().diagonal();
         let (radiances, points) = (solution.emitters().radiances, solution.emitters().points);
-        let (twice, solution) = (twice && !solution.is_truncated(), solution.sent());
-        Self { solution, visibility, lamps, radiances, points, scale, eps, touching, twice }
+        let beyond = if solution.is_truncated() { Beyond::Polynomials } else { beyond };
+        // What is darker than most would take most of the walks, and counts little in the L2 mean.
+        let dark = match beyond {
+            Beyond::Walked => solution.mean_arriving(),
+            _ => scale.iter().map(|scale| DARK * scale).collect(),
+        };
+        let solution = solution.sent();
+        Self { solution, visibility, lamps, radiances, points, scale, eps, dark, touching, beyond }
     }
 
     /// All light of a receiver. It depends on nothing but the receiver.
@@ -152,31 +225,6 @@ impl<'a> RayGather<'a> {
     /// m⁻² per band).
     pub fn reflected(&self, receiver: &ReceiverPoint, other: &[f64]) -> ReadIrradiance {
         self.gathered(&Receiver::Point(*receiver), None, FIRST_OF_MANY, other)
-    }
-
-    /// Error of readings from `distance` away, per band (W m⁻²), at a place of an element, because they take
-    /// its polynomials: S_g − S_h, S_g gathered by one ray; where they take all light from polynomials, all
-    /// that these miss. `chance` chooses the rays.
-    pub(crate) fn missed(
-        &self,
-        element: usize,
-        place: &SurfacePlace,
-        there: &ReceiverPoint,
-        distance: f64,
-        chance: u64,
-    ) -> Vec<f64> {
-        let mut missed = vec![0.0; self.scale.len()];
-        if self.is_rough(element, there, SMALL * distance) {
-            self.add_held(element, place, &mut missed);
-            missed.iter_mut().for_each(|held| *held = -*held);
-            self.add_estimate(there, chance, &mut missed);
-        } else {
-            self.add_reflected(element, place, -1.0, &mut missed);
-            let direction = lambert(there.normal, shift(chance));
-            let end_light = EndLight::Direct { chance: number_of([f64::from_bits(chance)]), small: SMALL };
-            self.add_met(there, direction, None, end_light, &mut missed);
-        }
-        missed
     }
 
     /// Reflected light, and direct light where there are `shares`, from `first` rays of each sequence on;
@@ -194,6 +242,10 @@ impl<'a> RayGather<'a> {
         let bands = self.scale.len();
         let mut sums = vec![0.0; BATCHES * bands];
         let lit = shares.and(self.lit(origin));
+        let (first, most) = match self.beyond {
+            Beyond::Walked => (FIRST_WALKS, most_walks(self.eps)),
+            _ => (first, most_rays(self.eps)),
+        };
         let (mut sent, mut now) = (0, first);
         loop {
             for (batch, sums) in sums.chunks_exact_mut(bands).enumerate() {
@@ -208,9 +260,9 @@ impl<'a> RayGather<'a> {
                 }
             }
             sent += now;
-            let (irradiance, deviation) = self.estimate(&sums, sent, other);
-            let is_last = BATCHES as u64 * 2 * sent > most_rays(self.eps);
-            if CAUTION * deviation.relative <= self.eps || is_last {
+            let Estimate { irradiance, deviation, missed } = self.estimate(&sums, sent, other);
+            let is_last = BATCHES as u64 * 2 * sent > most;
+            if CAUTION * missed <= self.eps || is_last {
                 return ReadIrradiance { irradiance, deviation: Some(deviation) };
             }
             now = sent;
@@ -227,9 +279,14 @@ impl<'a> RayGather<'a> {
         sums: &mut [f64],
     ) {
         let offset: [f64; 4] = shift(number);
+        let further: [f64; 8] = offsets(number);
         let mut radiosity = vec![0.0; sums.len()];
         for index in rays {
             let (place, direction) = match origin {
+                Receiver::Point(_) if self.beyond == Beyond::Walked => {
+                    let [polar, turn, ..]: [f64; 8] = shifted(kronecker::point(index), &further);
+                    ([0.5; 2], [polar, turn])
+                }
                 Receiver::Point(_) => {
                     let [a, b, ..] = offset;
                     ([0.5; 2], shifted(kronecker::point(index), &[a, b]))
@@ -243,10 +300,15 @@ impl<'a> RayGather<'a> {
             radiosity.fill(0.0);
             check_interrupt_at(index);
             let chance = number_of([f64::from_bits(number), index as f64]);
-            let end_light = match shares {
-                _ if self.twice => EndLight::Gathered(chance),
-                Some(_) => EndLight::Direct { chance, small: SMALL },
-                None => EndLight::Direct { chance, small: SMALL_BEHIND_PIXELS },
+            let end_light = match (self.beyond, shares) {
+                (Beyond::Walked, _) => {
+                    let [_, _, polar, turn, choice, s, t, dice] = shifted(kronecker::point(index), &further);
+                    let draws = Draws { direction: [polar, turn], target: [choice, s, t], dice };
+                    EndLight::Walked { draws, chance, weight: 1.0 }
+                }
+                (Beyond::Gathered, _) => EndLight::Gathered(chance),
+                (Beyond::Polynomials, Some(_)) => EndLight::Direct { chance, small: SMALL },
+                (Beyond::Polynomials, None) => EndLight::Direct { chance, small: SMALL_BEHIND_PIXELS },
             };
             let direction = lambert(receiver.normal, direction);
             let to_lamps = shares.map(|shares| ToLamps { shares, ratio: TO_LAMPS });
@@ -277,10 +339,13 @@ impl<'a> RayGather<'a> {
             }
         });
         let there = || ReceiverPoint::on(surface, position, normal());
-        let irradiance = self.arriving(element, &place, &there, distance, end_light);
-        let beyond = self.solution.behind(element, &place).map(|(element, place)| {
+        let coatings = || self.solution.bands().iter().map(|band| &band.coating);
+        let reflected = end_light.dimmed(coatings().map(|own| own.reflectance_at(element, parameters)));
+        let irradiance = self.arriving(element, &place, &there, distance, reflected);
+        let beyond = self.solution.behind(element, &place).map(|(behind, place)| {
             let there = || ReceiverPoint::on(place.surface, position, -normal());
-            self.arriving(element, &place, &there, distance, end_light)
+            let transmitted = end_light.dimmed(coatings().map(|own| own.transmittance(element)));
+            self.arriving(behind, &place, &there, distance, transmitted)
         });
         let weight = weight * self.radiances.relative(surface, -direction);
         for (index, (out, band)) in radiosity.iter_mut().zip(self.solution.bands()).enumerate() {
@@ -333,7 +398,18 @@ impl<'a> RayGather<'a> {
                     self.add_direct(&there(), chance, &mut irradiance);
                 }
             }
-            EndLight::Gathered(chance) => self.add_estimate(&there(), chance, &mut irradiance),
+            EndLight::Gathered(chance) => {
+                self.add_estimate(
+                    &there(),
+                    &Draws::of(chance),
+                    chance,
+                    EndLight::Polynomials,
+                    &mut irradiance,
+                );
+            }
+            EndLight::Walked { draws, chance, weight } => {
+                self.add_walk(&there(), &draws, chance, weight, &mut irradiance);
+            }
         }
         irradiance
     }
@@ -371,23 +447,43 @@ impl<'a> RayGather<'a> {
         }
     }
 
-    /// Adds an estimate of the irradiance by one ray of each kind.
-    fn add_estimate(&self, receiver: &ReceiverPoint, chance: u64, irradiance: &mut [f64]) {
+    /// Adds an estimate of the irradiance by a walk whose share of what is read is `weight`, if it goes on.
+    fn add_walk(
+        &self,
+        there: &ReceiverPoint,
+        draws: &Draws,
+        chance: u64,
+        weight: f64,
+        irradiance: &mut [f64],
+    ) {
+        let goes_on = (GOING_ON * weight).min(1.0);
+        if draws.dice < goes_on {
+            let next = number_of([f64::from_bits(chance), 3.0]);
+            let end_light =
+                EndLight::Walked { draws: Draws::of(next), chance: next, weight: weight / goes_on };
+            self.add_estimate(there, draws, chance, end_light, irradiance);
+            irradiance.iter_mut().for_each(|sum| *sum /= goes_on);
+        }
+    }
+
+    /// Adds an estimate of the irradiance by one ray of each kind; what the cosine-distributed one meets has
+    /// `end_light`.
+    fn add_estimate(
+        &self,
+        receiver: &ReceiverPoint,
+        draws: &Draws,
+        chance: u64,
+        end_light: EndLight,
+        irradiance: &mut [f64],
+    ) {
         self.add_point(receiver, chance, irradiance);
         let shares = self.lamps.seen_from(receiver);
-        let [polar, turn, choice, s] = shift(chance);
-        let [t] = shift(number_of([f64::from_bits(chance)]));
-        let direction = lambert(receiver.normal, [polar, turn]);
-        self.add_met(
-            receiver,
-            direction,
-            Some(ToLamps { shares: &shares, ratio: 1.0 }),
-            EndLight::Polynomials,
-            irradiance,
-        );
+        let direction = lambert(receiver.normal, draws.direction);
+        let to_lamps = Some(ToLamps { shares: &shares, ratio: 1.0 });
+        self.add_met(receiver, direction, to_lamps, end_light, irradiance);
         if !shares.is_empty() {
             let mix = RayMix { cosine: 1.0, to_lamps: 1.0 };
-            self.add_lamp(receiver, &shares.target([choice, s, t]), mix, 1.0, irradiance);
+            self.add_lamp(receiver, &shares.target(draws.target), mix, 1.0, irradiance);
         }
     }
 
@@ -462,11 +558,15 @@ impl<'a> RayGather<'a> {
         }
     }
 
-    /// Irradiance and deviation by the sums of the batches.
-    fn estimate(&self, sums: &[f64], sent: u64, other: &[f64]) -> (Vec<f64>, Deviation) {
+    /// The estimate by the sums of the batches.
+    fn estimate(&self, sums: &[f64], sent: u64, other: &[f64]) -> Estimate {
         let bands = self.scale.len();
         let (n, rays) = (BATCHES as f64, sent as f64);
-        let (mut irradiance, mut squares, mut is_dark) = (Vec::with_capacity(bands), 0.0, false);
+        let mut found = Estimate {
+            irradiance: Vec::with_capacity(bands),
+            deviation: Deviation { relative: 0.0, is_dark: false },
+            missed: 0.0,
+        };
         for (band, other) in other.iter().enumerate() {
             let batches = || sums.iter().skip(band).step_by(bands).map(|sum| sum / rays);
             let mean = batches().sum::<f64>() / n;
@@ -475,13 +575,21 @@ impl<'a> RayGather<'a> {
             let one = 0.25 * self.scale[band] / (n * rays);
             let error = (square / (n * (n - 1.0))).sqrt() + one;
             let least = DARK * self.scale[band];
-            is_dark |= mean + other < least;
-            squares += (error / (mean + other).max(least)).powi(2);
-            irradiance.push(mean);
+            found.deviation.is_dark |= mean + other < least;
+            found.deviation.relative += (error / (mean + other).max(least)).powi(2);
+            found.missed += (error / (mean + other).max(self.dark[band])).powi(2);
+            found.irradiance.push(mean);
         }
-        let relative = (squares / bands as f64).sqrt();
-        (irradiance, Deviation { relative, is_dark })
+        found.deviation.relative = (found.deviation.relative / bands as f64).sqrt();
+        found.missed = (found.missed / bands as f64).sqrt();
+        found
     }
+}
+
+/// Shifts of a sequence in eight dimensions.
+fn offsets(number: u64) -> [f64; 8] {
+    let [first, second]: [[f64; 4]; 2] = [number, number_of([f64::from_bits(number), 5.0])].map(shift);
+    std::array::from_fn(|k| if k < 4 { first[k] } else { second[k - 4] })
 }
 
 /// Whether an element is smaller than a square of this width.

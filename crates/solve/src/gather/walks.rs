@@ -33,8 +33,6 @@ pub(crate) struct WalkEnd {
     pub(crate) element: usize,
     /// The side whose light is sent on towards the start of the ray.
     pub(crate) lit: SendingSide,
-    /// Length of the ray (scene length).
-    pub(crate) distance: f64,
     /// Number from which whatever is chosen at this end follows.
     pub(crate) chance: u64,
 }
@@ -114,7 +112,7 @@ impl<'a> Walks<'a> {
         let place = SurfacePlace { surface, parameters: [hit.u, hit.v], position: jet.position };
         let there = ReceiverPoint::on(surface, jet.position, jet.normal);
         let lit = self.lit(element, &place, &there, chance);
-        Some(WalkEnd { element, lit, distance: hit.t, chance })
+        Some(WalkEnd { element, lit, chance })
     }
 
     /// The side whose light a place sends on, which `chance` chooses.

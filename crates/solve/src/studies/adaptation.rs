@@ -15,6 +15,7 @@ mod sensor;
 mod error_estimate;
 mod importance;
 mod estimate;
+mod judge;
 mod run;
 mod rungs;
 mod rays;
@@ -61,7 +62,7 @@ impl Solved {
         goal: &Goal,
         work: &Work<'_>,
     ) -> Result<Self, Failure> {
-        let adaptation = Adaptation { goal, work, why: None };
+        let adaptation = Adaptation::new(goal, work, None);
         if options.method == LightMethod::Hierarchical {
             return by_links(scene, options, &adaptation);
         }
@@ -73,7 +74,7 @@ impl Solved {
             return by_rays(scene, options, &adaptation);
         }
         let why = if choice.sampled { NO_ERROR_OF_ELEMENTS } else { &choice.why };
-        let exactly = Adaptation { why: Some(why), ..adaptation };
+        let exactly = Adaptation::new(goal, work, Some(why));
         match goal.of {
             Aim::Solution => {
                 let visibility = visibility();

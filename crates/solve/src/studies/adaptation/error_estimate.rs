@@ -15,8 +15,7 @@
 //!
 //! e is estimated at sensors by walks: cosine-distributed rays from the sensor and on from where they end,
 //! with the probability of the largest reflectance there. Each end y adds r(y) times the reflectances so far
-//! over these probabilities. r is gathered by cells ([`CellEnds`]), or where rays are what light is read by
-//! ([`Goal::by`]) by one further ray ([`RayGather::missed`]). Two halves of the walks give e′ and e″,
+//! over these probabilities. r is gathered by cells ([`CellEnds`]). Two halves of the walks give e′ and e″,
 //! independent of each other: the mean of their product is e², that of a square would have the noise of the
 //! walks as well. With weights w_k of the sensors,
 //!
@@ -24,10 +23,9 @@
 //! ‖e‖² ≈ Σ_k w_k e′e″ + s ,     s² = Σ_k (w_k e′e″)² ,
 //! ```
 //!
-//! s so that few sensors do not promise too much. Walks are doubled while their noise is much of the sum, or
-//! could be why it is larger than wanted. The part e_j of e that comes from ends on element j makes it
-//! responsible for ½ Σ_k w_k (e′e″_j + e′_j e″) of ‖e‖²: this is the importance that light from j has for the
-//! sensors, all reflections included.
+//! s so that few sensors do not promise too much. Walks are doubled while their noise is much of the sum. The part
+//! e_j of e that comes from ends on element j makes it responsible for ½ Σ_k w_k (e′e″_j + e′_j e″) of ‖e‖²: this is
+//! the importance that light from j has for the sensors, all reflections included.
 
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -43,33 +41,21 @@ use serde::{Deserialize, Serialize};
 
 use super::sensor::Sensor;
 use crate::gather::Gather;
-use crate::gather::ray_gather::RayGather;
-use crate::gather::receiver::Receiver;
 use crate::gather::walks::{SendingSide, WalkEnd, Walks};
-use crate::goal::Goal;
 use crate::solution::{Band, Solution};
 use crate::solved::Solved;
-use crate::tolerances::{LOOSEST_FOR_GATHERED, OF_ERROR, USUAL_EPS};
+use crate::tolerances::{LOOSEST_FOR_GATHERED, OF_ERROR};
 
-/// Numbers of walks, and the fewest per half and sensor. Chosen: with four times the first number of rays
-/// whose ends gather by cells the estimates of boxes changed by 5 %; in small scenes a finer run costs less
-/// than many of these.
-const BY_CELLS: WalkCounts = WalkCounts { first: 1 << 12, noisy: 1 << 14, doubtful: 1 << 12, most: 1 << 16 };
-const BY_RAYS: WalkCounts = WalkCounts { first: 1 << 16, noisy: 1 << 18, doubtful: 1 << 18, most: 1 << 22 };
-/// Fewest walks per half and sensor: of one there is no noise to be seen.
+/// Walks in all that are made first, and the most where the estimate is noisy; the fewest per half and sensor: of
+/// one there is no noise to be seen. Chosen: with four times the first number the estimates of boxes changed by 5 %;
+/// in small scenes a finer run costs less than many of these.
+const FIRST: u64 = 1 << 12;
+const MOST: u64 = 1 << 14;
 const FEWEST: u64 = 2;
-
-/// Walks for each ray that carried the pairs where an estimate is doubtful: a finer run would send at least
-/// as many. Chosen.
-const PER_RAY: u64 = 2;
 
 /// Part of the estimate that the noise of walks may be: an error is then known to a factor of √1.5. With a
 /// smaller value walks take longer than a run.
 const NOISE: f64 = 0.5;
-
-/// Standard deviations beyond which noise is no reason to refine. Chosen; in a classroom read at 200 points
-/// the noise of the first walks is three times the error.
-const SURELY: f64 = 2.0;
 
 /// Ends of walks for each one that gathers to an accuracy that is finer by the part of light that the
 /// surfaces absorb, since walks sum up their ends, while the others gather to a coarser one than was asked
@@ -78,40 +64,12 @@ const ONE_IN: f64 = 8.0;
 const COARSER: f64 = 3.0;
 const LEAST_ABSORBED: f64 = 0.05;
 
-/// Accuracy of light that errors are relative to, which need no more digits themselves.
-const OF_SIZE: f64 = 0.1;
-
-/// Numbers of walks in all.
-struct WalkCounts {
-    /// Walks that are made first.
-    first: u64,
-    /// Most walks where the estimate is noisy.
-    noisy: u64,
-    /// Most walks where the estimate is larger than wanted, and noise may be the cause.
-    doubtful: u64,
-    /// Most walks where the estimate is noisy, and larger than wanted.
-    most: u64,
-}
-
-impl WalkCounts {
-    /// Walks at the most for what is known so far.
-    fn allowed(&self, sums: &SensorSums, wanted: f64) -> u64 {
-        let is_above = sums.error() > wanted;
-        match sums.is_noisy() {
-            true if is_above => self.most,
-            true => self.noisy,
-            false if is_above && !sums.is_surely_above(wanted) => self.doubtful,
-            false => 0,
-        }
-    }
-}
-
 /// An estimated error of gathered light.
 #[derive(Debug)]
 pub(super) struct ErrorEstimate {
     /// ‖e‖ / ‖E_g‖ over the sensors, all bands pooled; 0 without sensors, infinite where light is
-    /// missed and none is gathered, None where nothing tells it.
-    pub error: Option<f64>,
+    /// missed and none is gathered.
+    pub error: f64,
     /// Part of the square of `error` that each element is responsible for; noise makes some negative.
     pub shares: Vec<f64>,
 }
@@ -174,41 +132,31 @@ fn mean_reflectance(solution: &Solution) -> f64 {
     reflected / area
 }
 
-/// Gathering of light where rays end.
-enum EndGather<'a> {
-    Cells(CellEnds<'a>),
-    Rays(RayGather<'a>),
-}
-
 /// The solution that misses light, and how its light is gathered.
 struct MissedLight<'a> {
     solution: &'a Solution,
     walks: Walks<'a>,
-    ends: EndGather<'a>,
-    /// Rays that carried the pairs.
-    rays: u64,
+    ends: CellEnds<'a>,
 }
 
-/// The estimated error of what `sensors` read; no better than tells whether it is below `wanted`, and not
-/// much worse. Light is gathered as an error of about `expected` needs it, until the deadline.
+/// The estimated error of what `sensors` read, of light gathered as an error of about `expected` needs it, until the
+/// deadline.
 pub(super) fn error_estimate(
     run: &Solved,
     sensors: &[Sensor],
-    goal: &Goal,
     expected: f64,
     work: &Work<'_>,
 ) -> ErrorEstimate {
     let solution = &run.outcome.solution;
     let unknowns = solution.elements().coefficients();
-    let missed_light = MissedLight::of(run, goal, (OF_ERROR * expected).min(LOOSEST_FOR_GATHERED));
+    let missed_light = MissedLight::of(run, (OF_ERROR * expected).min(LOOSEST_FOR_GATHERED));
     let ranks = work.ranks;
     let makers = shares::by_cost(&vec![1.0; sensors.len()], ranks.count());
-    let gathered =
-        ranks.map_by(PartName::SensorLight, &makers, |place| missed_light.gathered(&sensors[place]));
+    let gathered = ranks
+        .map_by(PartName::SensorLight, &makers, |place| missed_light.ends.gather.at(&sensors[place].point));
     let mut found = SensorWalks::begun(sensors, gathered, unknowns);
-    let numbers = missed_light.numbers();
     let per_half = |walks: u64| walks.div_ceil(2 * sensors.len().max(1) as u64);
-    let (mut made, mut now) = (0, per_half(numbers.first).max(FEWEST));
+    let (mut made, mut now) = (0, per_half(FIRST).max(FEWEST));
     loop {
         let (done, is_late) = (AtomicUsize::new(0), AtomicBool::new(false));
         let light = ranks.map_by(PartName::SensorWalks, &makers, |place| {
@@ -223,41 +171,18 @@ pub(super) fn error_estimate(
         let finishes = !ranks.any(is_late.into_inner());
         made += now;
         let sums = SensorSums::of(&found, made, solution);
-        if !finishes || 2 * made > per_half(numbers.allowed(&sums, goal.accuracy)) {
-            return ErrorEstimate { error: Some(sums.error()), shares: sums.shares(&found, made) };
+        if !finishes || !sums.is_noisy() || 2 * made > per_half(MOST) {
+            return ErrorEstimate { error: sums.error(), shares: sums.shares(&found, made) };
         }
         now = made;
     }
 }
 
 impl<'a> MissedLight<'a> {
-    fn of(run: &'a Solved, goal: &Goal, eps: f64) -> Self {
+    fn of(run: &'a Solved, eps: f64) -> Self {
         let (solution, visibility) = (&run.outcome.solution, run.visibility());
-        let rays = run.outcome.sampling.map_or(0, |sampling| sampling.rays);
-        let ends =
-            match goal.by.rays(solution, visibility, Goal::reading(goal.accuracy).min(USUAL_EPS), false) {
-                true => EndGather::Rays(RayGather::new(solution, visibility, OF_SIZE, false)),
-                false => EndGather::Cells(CellEnds::new(solution, visibility, eps)),
-            };
-        Self { solution, walks: Walks::new(solution, visibility), ends, rays }
-    }
-
-    fn numbers(&self) -> WalkCounts {
-        match self.ends {
-            EndGather::Cells(_) => BY_CELLS,
-            EndGather::Rays(_) => {
-                let doubtful = BY_RAYS.doubtful.max((PER_RAY * self.rays).min(BY_RAYS.most));
-                WalkCounts { doubtful, ..BY_RAYS }
-            }
-        }
-    }
-
-    /// Irradiance gathered at a sensor, per band.
-    fn gathered(&self, sensor: &Sensor) -> Vec<f64> {
-        match &self.ends {
-            EndGather::Cells(ends) => ends.gather.at(&sensor.point),
-            EndGather::Rays(gather) => gather.read(&Receiver::Point(sensor.point)).irradiance,
-        }
+        let ends = CellEnds::new(solution, visibility, eps);
+        Self { solution, walks: Walks::new(solution, visibility), ends }
     }
 
     /// The light that was found at a sensor, and that of the walks of these numbers of each half.
@@ -301,14 +226,10 @@ impl<'a> MissedLight<'a> {
 
     /// r per band of the light that is sent on where a walk ends.
     fn missed(&self, end: &WalkEnd) -> Vec<f64> {
-        let WalkEnd { lit: SendingSide { element, ref place, ref there, .. }, distance, chance, .. } = *end;
-        let gather = match &self.ends {
-            EndGather::Rays(gather) => return gather.missed(element, place, there, distance, chance),
-            EndGather::Cells(ends) => ends,
-        };
+        let SendingSide { element, ref place, ref there, .. } = end.lit;
         let mut held = vec![0.0; self.solution.bands().len()];
         self.solution.irradiance_bands(element, place, &mut held);
-        let mut missed = gather.reflected(there, &held, chance);
+        let mut missed = self.ends.reflected(there, &held, end.chance);
         self.solution.indirect_bands(element, place, &mut held);
         missed.iter_mut().zip(held).for_each(|(missed, held)| *missed -= held.max(0.0));
         missed
@@ -391,12 +312,6 @@ impl SensorSums {
         self.noise > NOISE * self.missed()
     }
 
-    /// Whether the error is above `wanted` even if it is less than it seems by [`SURELY`] times the noise of
-    /// the walks.
-    fn is_surely_above(&self, wanted: f64) -> bool {
-        self.product - SURELY * self.noise > wanted.powi(2) * self.size
-    }
-
     /// Part of the square of the error that each element is responsible for.
     fn shares(&self, found: &[SensorWalks], walks: u64) -> Vec<f64> {
         let mut shares = vec![0.0; self.elements];
@@ -411,55 +326,5 @@ impl SensorSums {
             }
         }
         shares
-    }
-}
-
-#[cfg(test)]
-mod tests {
-
-    use rayon::prelude::*;
-
-    use super::*;
-    use crate::driver::{Options, Transport, solve};
-
-    /// Σ w e / Σ w E_g of the first band, by so many walks of each half.
-    fn mean(missed_light: &MissedLight, sensors: &[Sensor], walks: u64) -> f64 {
-        let each = sensors.par_iter().enumerate().map(|(number, sensor)| {
-            let mut found =
-                SensorWalks::new(sensor, number_of([number as f64]), missed_light.gathered(sensor));
-            found.light = missed_light.walked(&found, 0..walks);
-            let [first, second] = found.halves(walks);
-            [0.5 * (first[0] + second[0]), found.light.gathered[0]].map(|light| sensor.weights[0] * light)
-        });
-        let [missed, light] = each.reduce(|| [0.0; 2], |a, b| [a[0] + b[0], a[1] + b[1]]);
-        missed / light
-    }
-
-    #[test]
-    fn walks_find_as_much_missed_by_rays_as_by_cells() {
-        let scene = radiosity_language::builtin("cornell-box").expect("it is built in");
-        let options =
-            Options { transport: Transport::Sampled, rays: Some(400_000), order: 2, ..Options::default() };
-        let solution = solve(&scene, &options, &Work::alone()).expect("a solution").solution;
-        let visibility = options.visibility(&scene);
-        let sensors = Sensor::of_surfaces(&solution);
-        let ends = [
-            EndGather::Cells(CellEnds::new(&solution, &visibility, 1e-2)),
-            EndGather::Rays(RayGather::new(&solution, &visibility, OF_SIZE, false)),
-        ];
-        let [by_cells, by_rays] = ends
-            .map(|ends| MissedLight {
-                solution: &solution,
-                walks: Walks::new(&solution, &visibility),
-                ends,
-                rays: 0,
-            })
-            .map(|missing| match missing.ends {
-                EndGather::Cells(_) => mean(&missing, &sensors, 2),
-                EndGather::Rays(_) => mean(&missing, &sensors, 64),
-            });
-        // By rays one walk finds about as much as there is light.
-        let noise = 2.0 / (128.0 * sensors.len() as f64).sqrt();
-        assert!((by_rays - by_cells).abs() < 2.0 * noise, "{by_rays} {by_cells} {noise}");
     }
 }

@@ -47,7 +47,7 @@ const TRANSFERRED: f64 = 0.1;
 
 /// Estimated ‖B − B_h‖/‖B − E₀‖ of a run, all bands pooled, accurate enough to compare with the
 /// goal; B_h are the polynomials, or E₀ + ρ E_g where gathered light is the goal
-/// ([`error_estimate`](super::error_estimate)).
+/// ([`error_estimate`](super::error_estimate)). Where rays carried the pairs, the error that they left.
 ///
 /// # Errors
 /// Threads that cannot be started.
@@ -57,20 +57,20 @@ pub(super) fn estimate(
     expected: f64,
     work: &Work<'_>,
 ) -> Result<ErrorEstimate, Failure> {
+    if let Some(sampling) = run.outcome.sampling {
+        let error = sampling.error.unwrap_or(f64::INFINITY);
+        return Ok(ErrorEstimate { error, shares: Vec::new() });
+    }
     let (solution, visibility) = (&run.outcome.solution, run.visibility());
-    let sensors = match goal.of {
-        Aim::Solution => {
-            let of_polynomials = || of_polynomials(solution, visibility, goal.accuracy, work);
-            let error = run.options.in_threads(work.ranks, of_polynomials)?;
-            let error = error.hypot(TRANSFERRED * missed(&run.outcome, &run.options));
-            return Ok(ErrorEstimate { error: Some(error), shares: Vec::new() });
-        }
-        Aim::Gathered => None,
-        Aim::Points | Aim::Seen => Some(Sensor::at(goal, solution, visibility)),
-    };
+    if goal.of == Aim::Solution {
+        let of_polynomials = || of_polynomials(solution, visibility, goal.accuracy, work);
+        let error = run.options.in_threads(work.ranks, of_polynomials)?;
+        let error = error.hypot(TRANSFERRED * missed(&run.outcome, &run.options));
+        return Ok(ErrorEstimate { error, shares: Vec::new() });
+    }
     run.options.in_threads(work.ranks, || {
-        let sensors = sensors.unwrap_or_else(|| Sensor::of_surfaces(solution));
-        error_estimate(run, &sensors, goal, expected, work)
+        let sensors = Sensor::of(goal, solution, visibility);
+        error_estimate(run, &sensors, expected, work)
     })
 }
 

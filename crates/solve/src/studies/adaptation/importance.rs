@@ -25,7 +25,7 @@ use crate::solution::{Band, Solution};
 use crate::system::Coefficients;
 
 use super::sensor::Sensor;
-use crate::goal::{Aim, Goal};
+use crate::goal::Goal;
 
 /// Walks in all, at the least, and fewest from each sensor. Chosen: 2 % of noise in the mean over a
 /// thousandth of all surfaces.
@@ -50,10 +50,7 @@ pub fn importance(
     ranks: &Ranks,
 ) -> Result<Solution, Failure> {
     in_threads(ranks.threads(threads), || {
-        let sensors = match goal.of {
-            Aim::Points | Aim::Seen => Sensor::at(goal, solution, visibility),
-            Aim::Gathered | Aim::Solution => Sensor::of_surfaces(solution),
-        };
+        let sensors = Sensor::of(goal, solution, visibility);
         of_sensors(solution, visibility, &sensors, WALKS, ranks)
     })
 }
@@ -138,6 +135,7 @@ mod tests {
     use super::*;
     use crate::driver::{Options, solve};
     use crate::gather::Gather;
+    use crate::goal::Aim;
 
     /// J by importance and by reading, for some sensors of the Cornell box.
     #[test]
@@ -146,7 +144,7 @@ mod tests {
         let options = Options { order: 2, ..Options::default() };
         let solution = solve(&scene, &options, &Work::alone()).expect("a solution").solution;
         let visibility = options.visibility(&scene);
-        let mut sensors = Sensor::of_surfaces(&solution);
+        let mut sensors = Sensor::of(&Goal::new(1e-2, Aim::Gathered), &solution, &visibility);
         sensors.retain(|sensor| sensor.point.position.z > 0.0);
         let worth = of_sensors(&solution, &visibility, &sensors, 1 << 21, Ranks::alone());
         let gather = Gather::new(&solution, &visibility, 1e-3);

@@ -56,9 +56,14 @@ pub(super) fn locally(scene: Scene, options: &Options, adaptation: &Adaptation) 
     };
     let (mut sharper, mut least, mut vain) = (1.0, f64::INFINITY, 0);
     adaptation.refined(scene, planned(accuracy.max(FIRST), sharper), |run, found| {
-        let (solution, error) = (&run.outcome.solution, found.error.expect("the solver converged"));
+        let error = found.error;
+        let own = match found.own {
+            Some(own) => own,
+            None => adaptation.own(run, error)?,
+        };
+        let solution = &run.outcome.solution;
         let left = (LEFT * (accuracy / error).powi(2)).clamp(1.0 - BORNE[1], 1.0 - BORNE[0]);
-        let Some(mesh) = refined(&run.scene, solution, &found.shares, 1.0 - left) else {
+        let Some(mesh) = refined(&run.scene, solution, &own.shares, 1.0 - left) else {
             return Ok(Err(EndReason::Finest));
         };
         vain = if error < least { 0 } else { vain + 1 };

@@ -28,9 +28,9 @@ pub(super) fn by_rays(scene: Scene, options: &Options, adaptation: &Adaptation) 
         if rays >= MOST_RAYS {
             return Ok(Err(EndReason::Finest));
         }
-        let factor = |error: f64| (error / adaptation.goal.accuracy).powi(2).clamp(MORE[0], MORE[1]);
-        let more = rays as f64 * found.error.map_or(MORE[1], factor);
-        let options = Options { rays: Some((more as u64).min(MOST_RAYS)), ..run.options };
-        Ok(Ok(PlannedRun { growth: MORE[0], ..adaptation.first(options) }))
+        let growth = (found.error / adaptation.goal.accuracy).powi(2).clamp(MORE[0], MORE[1]);
+        let more = (growth * rays as f64) as u64;
+        let options = Options { rays: Some(more.min(MOST_RAYS)), ..run.options };
+        Ok(Ok(PlannedRun { growth, ..adaptation.first(options) }))
     })
 }

@@ -1,5 +1,6 @@
 //! The loop of an adaptation: solve, estimate, refine, until the error is small enough.
 
+use std::cell::OnceCell;
 use std::time::{Duration, Instant};
 
 use radiosity_elements::mesh::Mesh;
@@ -9,9 +10,23 @@ use radiosity_work::{Progress, Stage, Work};
 
 use super::error_estimate::ErrorEstimate;
 use super::estimate::estimate;
+use super::judge::Judge;
 use crate::driver::{Failure, MemoryReduction, Options, Outcome, solve, solve_exactly, timed};
-use crate::goal::{Achieved, Aim, EndReason, Goal};
+use crate::goal::{Achieved, EndReason, Goal};
 use crate::solved::Solved;
+
+/// Seconds of a ray, and of a term of a rule with what hides it. Measured on one core in rooms.
+const RAY: f64 = 0.5e-6;
+const TERM: f64 = 0.1e-6;
+
+/// Most rays of readings by walks: some minutes.
+const MOST_RAYS_OF_WALKS: f64 = 1e9;
+
+/// About the seconds of one core that the transfers of a run took, from counts.
+fn seconds(outcome: &Outcome) -> f64 {
+    let rays = outcome.rays + outcome.sampling.map_or(0, |sampling| sampling.rays);
+    rays as f64 * RAY + outcome.samples as f64 * TERM
+}
 
 /// Order of the first runs by exact blocks: the lowest whose error a finer one tells, and whose solution
 /// takes next to no time.
@@ -23,6 +38,17 @@ pub(super) struct Adaptation<'a> {
     pub work: &'a Work<'a>,
     /// Why exact blocks carry the pairs, where the adaptation decides that.
     pub why: Option<&'a str>,
+    judge: OnceCell<Option<Judge>>,
+}
+
+/// The error of a run.
+pub(super) struct Found {
+    /// Relative error; infinite where nothing tells it.
+    pub error: f64,
+    /// Whether it is as small as wanted.
+    pub is_reached: bool,
+    /// The method's own estimate, where that was asked for.
+    pub own: Option<ErrorEstimate>,
 }
 
 /// A run that is to be made.
@@ -39,30 +65,38 @@ pub(super) struct PlannedRun {
 /// The run after another, or the reason why there is none.
 pub(super) type NextRun = Result<PlannedRun, EndReason>;
 
-impl Adaptation<'_> {
+impl<'a> Adaptation<'a> {
+    pub(super) fn new(goal: &'a Goal, work: &'a Work<'a>, why: Option<&'a str>) -> Self {
+        Self { goal, work, why, judge: OnceCell::new() }
+    }
+
     /// The first run of an adaptation.
     pub(super) fn first(&self, options: Options) -> PlannedRun {
         PlannedRun { options, mesh: None, expected: self.goal.accuracy, growth: 1.0 }
     }
 
-    /// Solves `scene` by `planned`, then by what `next` makes of every run and its estimate.
+    /// Solves `scene` by `planned`, then by what `next` makes of every run and its error.
     pub(super) fn refined(
         &self,
         scene: Scene,
         mut planned: PlannedRun,
-        mut next: impl FnMut(&Solved, &ErrorEstimate) -> Result<NextRun, Failure>,
+        mut next: impl FnMut(&mut Solved, Found) -> Result<NextRun, Failure>,
     ) -> Result<Solved, Failure> {
         let mut begun = Instant::now();
         let outcome = self.solve(&scene, &planned).map_err(advise)?;
         let mut run = Solved::of(scene, planned.options, outcome, None);
         loop {
+            if !run.outcome.converged {
+                return Ok(self.ended(run, None, EndReason::NotConverged));
+            }
             let found = self.found(&mut run, planned.expected)?;
-            let following = match found.error {
-                _ if !run.outcome.converged => Err(EndReason::NotConverged),
-                Some(error) if error <= self.goal.accuracy => Err(EndReason::Reached),
-                _ => next(&run, &found)?,
-            };
+            let error = found.error;
+            let following = if found.is_reached { Err(EndReason::Reached) } else { next(&mut run, found)? };
             let finer = match following {
+                Ok(next) if self.walks_pay(&run, next.growth) => {
+                    run.achieved = Some(Achieved::by_walks(self.goal));
+                    return Ok(run);
+                }
                 Ok(next) if !self.work.fits(begun.elapsed().mul_f64(next.growth)) => Err(EndReason::Time),
                 Ok(next) => {
                     (begun, planned) = (Instant::now(), next);
@@ -72,12 +106,19 @@ impl Adaptation<'_> {
             };
             match finer {
                 Ok(outcome) => run = Solved::of(run.scene, planned.options, outcome, None),
-                Err(end) => {
-                    run.achieved = Some(Achieved::new(self.goal, found.error, end));
+                Err(end) if end != EndReason::Reached && self.walks_pay(&run, f64::INFINITY) => {
+                    run.achieved = Some(Achieved::by_walks(self.goal));
                     return Ok(run);
                 }
+                Err(end) => return Ok(self.ended(run, Some(error).filter(|error| error.is_finite()), end)),
             }
         }
+    }
+
+    /// The finest run with its error.
+    fn ended(&self, mut run: Solved, error: Option<f64>, end: EndReason) -> Solved {
+        run.achieved = Some(Achieved::new(self.goal, error, end));
+        run
     }
 
     fn solve(&self, scene: &Scene, planned: &PlannedRun) -> Result<Outcome, Failure> {
@@ -87,28 +128,59 @@ impl Adaptation<'_> {
         }
     }
 
-    /// The estimated error of a run that is expected to have about the error `expected`; once more where
-    /// light that was gathered for a larger error may hide as much as is wanted.
-    fn found(&self, run: &mut Solved, expected: f64) -> Result<ErrorEstimate, Failure> {
-        if let (Aim::Solution, Some(sampling)) = (self.goal.of, run.outcome.sampling) {
-            return Ok(ErrorEstimate { error: sampling.error, shares: Vec::new() });
-        }
-        if !run.outcome.converged {
-            return Ok(ErrorEstimate { error: None, shares: Vec::new() });
-        }
+    /// The error of a run that is expected to have about the error `expected`: as the judge finds it, where an error
+    /// as small as is wanted shows there; else as the method estimates it, times the factor that the judge finds.
+    fn found(&self, run: &mut Solved, expected: f64) -> Result<Found, Failure> {
         let wanted = self.goal.accuracy;
-        let found = self.estimated(run, expected)?;
-        let is_doubtful = expected > wanted && found.error.is_some_and(|error| error <= wanted);
-        if is_doubtful { self.estimated(run, wanted) } else { Ok(found) }
+        let verdict = match self.judge(run)? {
+            Some(judge) => {
+                let verdict =
+                    run.options.in_threads(self.work.ranks, || judge.on(run, self.goal, self.work))?;
+                if judge.is_sharp {
+                    let error = verdict.bound();
+                    return Ok(Found { error, is_reached: error <= wanted, own: None });
+                }
+                Some(verdict)
+            }
+            None => None,
+        };
+        let mut own = self.own(run, expected)?;
+        // Light that was gathered for a larger error may hide as much as is wanted.
+        if expected > wanted && own.error <= wanted {
+            own = self.own(run, wanted)?;
+        }
+        let error = own.error * verdict.map_or(1.0, |verdict| verdict.factor(own.error));
+        Ok(Found { error, is_reached: error <= wanted, own: Some(own) })
     }
 
-    /// The estimated error of a run, timed.
-    fn estimated(&self, run: &mut Solved, expected: f64) -> Result<ErrorEstimate, Failure> {
+    /// The judge, made for the first run.
+    fn judge(&self, run: &Solved) -> Result<Option<&Judge>, Failure> {
+        if self.judge.get().is_none() {
+            let make = || Judge::of(self.goal, run, self.work);
+            let made = run.options.in_threads(self.work.ranks, make)?;
+            return Ok(self.judge.get_or_init(|| made).as_ref());
+        }
+        Ok(self.judge.get().and_then(Option::as_ref))
+    }
+
+    /// The method's own estimate of the error of a run, timed.
+    pub(super) fn own(&self, run: &mut Solved, expected: f64) -> Result<ErrorEstimate, Failure> {
         let mut taken = Duration::ZERO;
         let estimate = timed(&mut taken, || estimate(run, self.goal, expected, self.work))?;
-        run.outcome.seconds.estimate = taken;
+        run.outcome.seconds.estimate += taken;
         self.work.report(Progress::Finished { stage: Stage::Estimate, took: taken });
         Ok(estimate)
+    }
+
+    /// Whether it takes less to read the goal's readings by walks than a run that takes `growth` times as long as
+    /// `run`.
+    fn walks_pay(&self, run: &Solved, growth: f64) -> bool {
+        let Some((readings, judge)) = self.goal.readings.zip(self.judge.get().and_then(Option::as_ref))
+        else {
+            return false;
+        };
+        let rays = readings as f64 * judge.price() / self.goal.accuracy.powi(2);
+        rays < MOST_RAYS_OF_WALKS && rays * RAY < growth * seconds(&run.outcome)
     }
 
     /// The outcome of the run after `before`, or the reason why it ends the sequence.

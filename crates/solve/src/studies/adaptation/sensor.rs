@@ -5,6 +5,7 @@
 //! area have one. Every discretisation has points of its own: what was refined for the sake of some would
 //! look too good from the same.
 
+use radiosity_audit::Spot;
 use radiosity_elements::Element;
 use radiosity_elements::patch::{Node, Patch};
 use radiosity_elements::sampling::kronecker;
@@ -41,7 +42,7 @@ pub(super) struct Sensor {
 
 impl Sensor {
     /// Sensors spread over all surfaces that reflect: weights ρ² times the area that each stands for.
-    pub(super) fn of_surfaces(solution: &Solution) -> Vec<Self> {
+    fn of_surfaces(solution: &Solution) -> Vec<Self> {
         let points = points(solution.elements().list());
         let weights = |element: usize, area: f64| -> Vec<f64> {
             solution.bands().iter().map(|band| band.coating.squared(element) * area).collect()
@@ -57,7 +58,7 @@ impl Sensor {
 
     /// Sensors at the points of a goal, or at some of them. All count the same, but where reflected light is
     /// seen by ρ².
-    pub(super) fn at(goal: &Goal, solution: &Solution, visibility: &Visibility) -> Vec<Self> {
+    fn at(goal: &Goal, solution: &Solution, visibility: &Visibility) -> Vec<Self> {
         let weight = |point: Option<&SurfacePoint>, band: &Band| match (goal.of, point) {
             (Aim::Seen, Some(point)) => band.coating.squared(point.element),
             _ => 1.0,
@@ -68,14 +69,33 @@ impl Sensor {
             let free = || ReceiverPoint::free(position, normal);
             Self { point: point.map_or_else(free, |point| point.receiver_point(normal)), weights }
         };
-        some(goal.points.len()).map(|index| sensor(goal.points[index])).collect()
+        some(goal.points.len(), MOST).map(|index| sensor(goal.points[index])).collect()
+    }
+
+    /// The sensors of a goal.
+    pub(super) fn of(goal: &Goal, solution: &Solution, visibility: &Visibility) -> Vec<Self> {
+        match goal.of {
+            Aim::Points | Aim::Seen => Self::at(goal, solution, visibility),
+            Aim::Gathered | Aim::Solution => Self::of_surfaces(solution),
+        }
+    }
+
+    /// At most `count` of these sensors, evenly over their list.
+    pub(super) fn some_of(all: Vec<Self>, count: usize) -> Vec<Self> {
+        let mut all: Vec<Option<Self>> = all.into_iter().map(Some).collect();
+        some(all.len(), count).filter_map(|index| all[index].take()).collect()
+    }
+
+    /// The place for a referee.
+    pub(super) fn spot(&self) -> Spot {
+        Spot::Point { position: self.point.position, normal: self.point.normal }
     }
 }
 
-/// Indices of [`MOST`] of so many points, one of each equal stretch, at places that do not keep step with the
+/// Indices of at most `most` of `count` points, one of each equal stretch, at places that do not keep step with the
 /// rows of a plane.
-fn some(count: usize) -> impl Iterator<Item = usize> {
-    let chosen = count.min(MOST);
+fn some(count: usize, most: usize) -> impl Iterator<Item = usize> {
+    let chosen = count.min(most);
     (0..chosen).map(move |k| {
         let [low, high] = [k, k + 1].map(|k| k * count / chosen);
         let [share, _] = kronecker::point(k as u64);
@@ -163,10 +183,10 @@ mod tests {
 
     #[test]
     fn few_sensors_are_all_taken_and_many_from_every_column() {
-        assert!(some(300).eq(0..300));
-        assert_eq!(some(0).count(), 0);
+        assert!(some(300, MOST).eq(0..300));
+        assert_eq!(some(0, MOST).count(), 0);
         // A plane of 512 × 64 sensors: their columns are indices modulo 64.
-        let taken: Vec<usize> = some(512 * 64).collect();
+        let taken: Vec<usize> = some(512 * 64, MOST).collect();
         assert!(taken.len() == MOST && taken.is_sorted_by(|a, b| a < b));
         assert_eq!(taken.iter().map(|index| index % 64).collect::<BTreeSet<_>>().len(), 64);
     }

@@ -1,0 +1,139 @@
+//! The judge of an adaptation: light at some sensors by walks that know nothing of any run.
+//!
+//! Its means M_i ± s_i are made once, of as many walks as show an error of the wanted accuracy A, if that takes a few
+//! seconds, and every run is compared with them:
+//!
+//! ```text
+//! err² + SE ≤ A²     (see radiosity_audit::Verdict) .
+//! ```
+
+use radiosity_audit::{Effort, Estimate, Judged, Referee, Spot, Verdict};
+use radiosity_scene::Scene;
+use radiosity_work::Work;
+use radiosity_work::ranks::PartName;
+
+use super::sensor::Sensor;
+use crate::gather::surface_point::SurfacePoint;
+use crate::goal::{Aim, Goal};
+use crate::solved::Solved;
+use crate::tolerances::USUAL_EPS;
+
+/// Sensors at which light is judged: an L2 mean of 64 is known to a tenth of itself. Chosen.
+const READINGS: usize = 64;
+
+/// Seconds of two threads for the first look, and for the longest: the first shows 1 to 3 % in most rooms, and what
+/// is to be seen falls as their square root.
+const FIRST: f64 = 0.1;
+const LONGEST: f64 = 10.0;
+
+/// Least error that would be seen, over the wanted one, from which the judge decides. Chosen: err² is then known to
+/// a third of A².
+const SHARP: f64 = 1.0;
+
+/// Light at sensors that is right in the mean, and how well it is known.
+#[derive(Debug)]
+pub(super) struct Judge {
+    sensors: Vec<Sensor>,
+    estimates: Vec<Estimate>,
+    /// Walks of a sensor.
+    walks: f64,
+    /// Whether an error as small as is wanted would be seen.
+    pub is_sharp: bool,
+}
+
+impl Judge {
+    /// The judge of what `goal` wants of runs of a scene, of which `run` is the first; None where light is not what
+    /// walks find: without shadows, with masks, or of some reflections alone.
+    pub(super) fn of(goal: &Goal, run: &Solved, work: &Work<'_>) -> Option<Self> {
+        let (solution, visibility) = (&run.outcome.solution, run.visibility());
+        let is_all = visibility.casts() && solution.masked().is_none() && !solution.is_truncated();
+        let sensors = Sensor::some_of(Sensor::of(goal, solution, visibility), READINGS);
+        (is_all && !sensors.is_empty()).then(|| Self::at(sensors, goal.accuracy, &run.scene, work))
+    }
+
+    fn at(sensors: Vec<Sensor>, accuracy: f64, scene: &Scene, work: &Work<'_>) -> Self {
+        let referee = Referee::of_light(scene);
+        let spots: Vec<Spot> = sensors.iter().map(Sensor::spot).collect();
+        let first = Effort::of_seconds(FIRST, spots.len(), scene);
+        let mut judge = Self {
+            estimates: referee.estimates(&spots, &first, work),
+            walks: first.walks() as f64,
+            is_sharp: false,
+            sensors,
+        };
+        let visible = judge.visible();
+        let more = (visible / (SHARP * accuracy)).powi(2);
+        if more > 1.0 {
+            let walks = judge.walks * more.min(LONGEST / FIRST);
+            let effort = Effort::of_walks(walks).seeded(1);
+            judge.estimates = referee.estimates(&spots, &effort, work);
+            judge.walks = effort.walks() as f64;
+        }
+        // Walks come in powers of 2.
+        judge.is_sharp = judge.visible() <= std::f64::consts::SQRT_2 * SHARP * accuracy;
+        judge
+    }
+
+    /// The least error that it would see.
+    fn visible(&self) -> f64 {
+        let right = |estimate: &Estimate| estimate.bands.iter().map(|mean| mean.value).collect();
+        self.verdict(self.estimates.iter().map(right).collect()).visible()
+    }
+
+    /// Rays that a walk takes, and the variance of a walk over the mean square of light: both together tell what it
+    /// takes to read light by walks.
+    pub(super) fn price(&self) -> f64 {
+        let rays: u64 = self.estimates.iter().map(|estimate| estimate.rays).sum();
+        let means = || self.estimates.iter().flat_map(|estimate| &estimate.bands);
+        let variance: f64 = means().map(|mean| mean.error.powi(2)).sum();
+        let size: f64 = means().map(|mean| mean.value.powi(2)).sum::<f64>() - variance;
+        rays as f64 / self.sensors.len() as f64 * variance / size.max(f64::MIN_POSITIVE)
+    }
+
+    /// The verdict on the light of a run, read as `goal` reads it.
+    pub(super) fn on(&self, run: &Solved, goal: &Goal, work: &Work<'_>) -> Verdict {
+        let read = match goal.of {
+            Aim::Solution => self.polynomials(run),
+            Aim::Gathered | Aim::Points | Aim::Seen => self.gathered(run, goal, work),
+        };
+        self.verdict(read)
+    }
+
+    /// Irradiance gathered at each sensor, per band, as it will be read.
+    fn gathered(&self, run: &Solved, goal: &Goal, work: &Work<'_>) -> Vec<Vec<f64>> {
+        let solution = &run.outcome.solution;
+        let usual = if run.outcome.sampling.is_some() { f64::INFINITY } else { USUAL_EPS };
+        let eps = Goal::reading(goal.accuracy).min(usual);
+        let gathering = goal.by.gathering(solution, run.visibility(), eps, 1.0, false);
+        let read = |place: usize| gathering.read(&self.sensors[place].point).irradiance;
+        work.ranks.map_even(PartName::SensorLight, self.sensors.len(), 1, read)
+    }
+
+    /// Irradiance of the polynomials at each sensor, per band.
+    fn polynomials(&self, run: &Solved) -> Vec<Vec<f64>> {
+        let solution = &run.outcome.solution;
+        let bands = 0..solution.bands().len();
+        let read = |sensor: &Sensor| {
+            let (x, normal) = (sensor.point.position, sensor.point.normal);
+            let found = SurfacePoint::find(solution.elements(), run.visibility(), x, normal);
+            let value = |band| {
+                let of = |point: &SurfacePoint| solution.irradiance(band, point.element, &point.place);
+                found.as_ref().map_or(0.0, of)
+            };
+            bands.clone().map(value).collect()
+        };
+        self.sensors.iter().map(read).collect()
+    }
+
+    fn verdict(&self, read: Vec<Vec<f64>>) -> Verdict {
+        let judged = |((sensor, estimate), printed): ((&Sensor, &Estimate), Vec<f64>)| Judged {
+            weight: sensor.weights.iter().sum::<f64>() / printed.len() as f64,
+            printed,
+            printed_groups: Vec::new(),
+            estimate: estimate.clone(),
+            class: String::new(),
+        };
+        let all: Vec<Judged> = self.sensors.iter().zip(&self.estimates).zip(read).map(judged).collect();
+        Verdict::of(&all, 0)
+    }
+}
