@@ -4,7 +4,7 @@
 use radiosity::Basis;
 use radiosity::light::receiver_point::ReceiverPoint;
 use radiosity::solve::gather::Gather;
-use radiosity::solve::gather::ray_gather::RayGather;
+use radiosity::solve::gather::ray_gather::{Beyond, RayGather};
 use radiosity::solve::gather::receiver::Receiver;
 use radiosity::solve::{Direct, Options, Outcome};
 use radiosity_geom::DVec3;

@@ -24,7 +24,7 @@ use radiosity::Work;
 use radiosity::light::receiver_point::ReceiverPoint;
 use radiosity::scene::Scene;
 use radiosity::solve::gather::Gather;
-use radiosity::solve::gather::ray_gather::RayGather;
+use radiosity::solve::gather::ray_gather::{Beyond, RayGather};
 use radiosity::solve::gather::receiver::Receiver;
 use radiosity::solve::solution::Solution;
 use radiosity::solve::solved::Solved;
@@ -206,7 +206,7 @@ impl<'a> Truth<'a> {
     fn gathered(&self, solution: &Solution) -> Vec<Vec<f64>> {
         let visibility = (Options { shadow_eps: 1e-4, ..Options::default() }).visibility(self.scene);
         if self.by_rays {
-            let gather = RayGather::new(solution, &visibility, BY_RAYS, false);
+            let gather = RayGather::new(solution, &visibility, BY_RAYS, Beyond::Polynomials);
             let read = |point: &ReceiverPoint| gather.read(&Receiver::Point(*point)).irradiance;
             return self.points.par_iter().map(read).collect();
         }

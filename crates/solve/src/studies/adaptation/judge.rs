@@ -8,7 +8,6 @@
 //! ```
 
 use radiosity_audit::{Effort, Estimate, Judged, Referee, Spot, Verdict};
-use radiosity_scene::Scene;
 use radiosity_work::Work;
 use radiosity_work::ranks::PartName;
 
@@ -22,9 +21,11 @@ use crate::tolerances::USUAL_EPS;
 const READINGS: usize = 64;
 
 /// Seconds of two threads for the first look, and for the longest: the first shows 1 to 3 % in most rooms, and what
-/// is to be seen falls as their square root.
+/// is to be seen falls as their square root. No longer than so many times the first run, whose own estimate is soon
+/// made. Chosen.
 const FIRST: f64 = 0.1;
 const LONGEST: f64 = 10.0;
+const OF_A_RUN: f64 = 5.0;
 
 /// Least error that would be seen, over the wanted one, from which the judge decides. Chosen: err² is then known to
 /// a third of A².
@@ -48,10 +49,11 @@ impl Judge {
         let (solution, visibility) = (&run.outcome.solution, run.visibility());
         let is_all = visibility.casts() && solution.masked().is_none() && !solution.is_truncated();
         let sensors = Sensor::some_of(Sensor::of(goal, solution, visibility), READINGS);
-        (is_all && !sensors.is_empty()).then(|| Self::at(sensors, goal.accuracy, &run.scene, work))
+        (is_all && !sensors.is_empty()).then(|| Self::at(sensors, goal.accuracy, run, work))
     }
 
-    fn at(sensors: Vec<Sensor>, accuracy: f64, scene: &Scene, work: &Work<'_>) -> Self {
+    fn at(sensors: Vec<Sensor>, accuracy: f64, run: &Solved, work: &Work<'_>) -> Self {
+        let scene = &run.scene;
         let referee = Referee::of_light(scene);
         let spots: Vec<Spot> = sensors.iter().map(Sensor::spot).collect();
         let first = Effort::of_seconds(FIRST, spots.len(), scene);
@@ -63,9 +65,9 @@ impl Judge {
         };
         let visible = judge.visible();
         let more = (visible / (SHARP * accuracy)).powi(2);
-        if more > 1.0 {
-            let walks = judge.walks * more.min(LONGEST / FIRST);
-            let effort = Effort::of_walks(walks).seeded(1);
+        let longest = (OF_A_RUN * run.outcome.seconds_by_counts()).min(LONGEST);
+        if more > 1.0 && FIRST * more <= longest {
+            let effort = Effort::of_walks(judge.walks * more).seeded(1);
             judge.estimates = referee.estimates(&spots, &effort, work);
             judge.walks = effort.walks() as f64;
         }

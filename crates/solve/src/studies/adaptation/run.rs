@@ -15,18 +15,11 @@ use crate::driver::{Failure, MemoryReduction, Options, Outcome, solve, solve_exa
 use crate::goal::{Achieved, EndReason, Goal};
 use crate::solved::Solved;
 
-/// Seconds of a ray, and of a term of a rule with what hides it. Measured on one core in rooms.
-const RAY: f64 = 0.5e-6;
-const TERM: f64 = 0.1e-6;
+/// Seconds of one core for a ray of a walk, with what it meets. Measured in rooms.
+const RAY: f64 = 1e-6;
 
 /// Most rays of readings by walks: some minutes.
 const MOST_RAYS_OF_WALKS: f64 = 1e9;
-
-/// About the seconds of one core that the transfers of a run took, from counts.
-fn seconds(outcome: &Outcome) -> f64 {
-    let rays = outcome.rays + outcome.sampling.map_or(0, |sampling| sampling.rays);
-    rays as f64 * RAY + outcome.samples as f64 * TERM
-}
 
 /// Order of the first runs by exact blocks: the lowest whose error a finer one tells, and whose solution
 /// takes next to no time.
@@ -180,7 +173,7 @@ impl<'a> Adaptation<'a> {
             return false;
         };
         let rays = readings as f64 * judge.price() / self.goal.accuracy.powi(2);
-        rays < MOST_RAYS_OF_WALKS && rays * RAY < growth * seconds(&run.outcome)
+        rays < MOST_RAYS_OF_WALKS && rays * RAY < growth * run.outcome.seconds_by_counts()
     }
 
     /// The outcome of the run after `before`, or the reason why it ends the sequence.
