@@ -6,16 +6,16 @@ use numpy::{IntoPyArray, PyArray1, PyArrayDyn, PyReadonlyArray2, PyReadwriteArra
 use pyo3::exceptions::PyMemoryError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
+use radiosity::audit::Checked;
 use radiosity::geom::shapes::Polygon;
 use radiosity::kernel::WorstError;
 use radiosity::reading::accuracy_warning::missed;
 use radiosity::reading::checked_factors::CheckedFactors;
 use radiosity::reading::row_sums::RowSums;
 use radiosity::request::{CheckRequest, TransferRequest};
-use radiosity::solve::in_threads;
 use radiosity::scene::{Material, Scene as Whole, SceneError};
-use radiosity::audit::Checked;
 use radiosity::solve::Failure;
+use radiosity::solve::in_threads;
 use radiosity::work::{Progress as Event, Work};
 use radiosity::{SceneBuilder, solve::view_factors as library};
 

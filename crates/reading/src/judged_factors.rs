@@ -1,7 +1,8 @@
 //! View factors judged by a referee: F_ij that are printed, beside the part of the rays of i that meets j.
 //!
 //! Of the rows that are judged, factors from 1e-3 on count, printed or found: of fewer a referee tells little.
-//! Factors of a row make a class of their own.
+//! Factors of a row make a class of their own. Rows of surfaces on which something stands are left out: their factors are
+//! of the whole surface, and rays leave what is open.
 
 use radiosity_audit::{Checked, Effort, Judged, Verdict, ViewFactorReferee, ViewFactorRow};
 use radiosity_scene::Scene;
@@ -49,7 +50,9 @@ impl JudgedFactors {
     ) -> Self {
         let effort = effort.of_surfaces();
         let found = ViewFactorReferee::of(scene).rows(rows, &effort, work);
-        let all: Vec<JudgedFactor> = found.iter().flat_map(|row| judged_row(factors, wanted, row)).collect();
+        let is_open = |row: &&ViewFactorRow| row.rays == effort.walks();
+        let all: Vec<JudgedFactor> =
+            found.iter().filter(is_open).flat_map(|row| judged_row(factors, wanted, row)).collect();
         let judged: Vec<Judged> = all.iter().map(|own| own.judged.clone()).collect();
         let accuracy = &options.accuracy;
         Self {

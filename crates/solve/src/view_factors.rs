@@ -41,7 +41,8 @@ use crate::driver::{Failure, in_threads};
 /// to be closed.
 const EXPLAINED: f64 = 3.0;
 
-/// Part of what is asked that rules miss. Measured: SEE TABLE
+/// Part of what is asked that rules miss. Measured: at 1e-3 less on most of 45 closed forms, a
+/// third on a paraboloid.
 const REACHED: f64 = 0.1;
 
 /// Time of a kernel sample and of a shadow ray (s). Measured: as ranks share their work by.
