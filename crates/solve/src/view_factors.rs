@@ -17,8 +17,8 @@
 //! ε_b those asked of exchanges x_b by quadrature,
 //!
 //! ```text
-//! own_i = max( √(Σ e_b²) / A_i ,  |1 − Σ_j F_ij| , 2⁻⁵² )         where |1 − Σ_j F_ij| ≤ 3 (√(Σ e_b²) + Σ ε_b x_b) / A_i ,
-//! own_i = max( √(Σ e_b²) / A_i ,  0.1 Σ ε_b x_b / A_i , 2⁻⁵² )    elsewhere, as in open scenes ,
+//! own_i = max( √(Σ e_b²) / A_i ,  |1 − Σ_j F_ij| , 2⁻⁵² )  where |1 − Σ_j F_ij| ≤ 3 (√(Σ e_b²) + Σ ε_b x_b) / A_i ,
+//! own_i = max( √(Σ e_b²) / A_i ,  0.1 Σ ε_b x_b / A_i , 2⁻⁵² )  elsewhere, as in open scenes ,
 //! ```
 //!
 //! and rounding alone where closed forms carry a row.
