@@ -1,8 +1,8 @@
 //! View factors judged by a referee: F_ij that are printed, beside the part of the rays of i that meets j.
 //!
 //! Of the rows that are judged, factors from 1e-3 on count, printed or found: of fewer a referee tells little.
-//! Factors of a row make a class of their own. Rows of surfaces on which something stands are left out: their factors are
-//! of the whole surface, and rays leave what is open.
+//! Factors of a row make a class of their own. Rows of surfaces on which something stands are left out: their
+//! factors are of the whole surface, and rays leave what is open.
 
 use radiosity_audit::{Checked, Effort, Judged, Verdict, ViewFactorReferee, ViewFactorRow};
 use radiosity_scene::Scene;
