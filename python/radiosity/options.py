@@ -327,6 +327,10 @@ class Transfers(TypedDict, total=False):
 
     threads: int
         Threads to use, all by default; results do not depend on it.
+
+    audit: float
+        Seconds that about two threads take to check what is printed by path tracing; the number of rays follows from this and from
+        counts of the scene [default: a tenth of the run, 0.1 to 5].
     """
 
     subdivide: int | Literal["auto"]
@@ -334,6 +338,7 @@ class Transfers(TypedDict, total=False):
     shadow_eps: float
     shadows: Literal["auto", "off", "rays", "exact"]
     threads: int
+    audit: float
 
 
 class HeatMethod(Transfers, total=False):

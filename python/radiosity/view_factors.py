@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Sequence
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
@@ -26,7 +27,7 @@ if TYPE_CHECKING:
 class ViewFactors(Kept):
     """The view factors F_ij between n surfaces. They pickle, with their matrix."""
 
-    _KEPT = ("names", "areas", "row_sums", "errors", "seconds", "is_partial", "is_closed", "remarks")
+    _KEPT = ("names", "areas", "row_sums", "errors", "accuracy_reached", "checked", "seconds", "is_partial", "is_closed", "remarks")
 
     def __init__(self, native: _radiosity.ViewFactors, *, sparse: bool = False) -> None:
         self._native: _radiosity.ViewFactors = native
@@ -75,14 +76,25 @@ class ViewFactors(Kept):
         return self._native.remarks
 
     @property
-    def error(self) -> float:
-        """Largest error that is left in a transfer, relative to it or a hundredth of the largest of its row; 0 where all are as asked."""
-        return self._native.errors[0]
+    def errors(self) -> Array:
+        """The largest error of a factor in the row of each surface, an array (n,): the method's own estimate, made true by walks of rays."""
+        return self._native.errors
 
     @property
-    def reciprocity(self) -> float:
-        """Largest difference of A_i F_ij and A_j F_ji, over the smaller area, of pairs that were integrated from either side."""
-        return self._native.errors[1]
+    def checked(self) -> dict[str, Any] | None:
+        """What walks of rays found; None where they did not look, as where closed forms carry all pairs and nothing blocks.
+
+        The relative error `error` of the factors in the L2 mean, its standard error `error_sd`, the least error `visible` that would
+        have been seen, the method's own estimate `own_error` and the factor `error_factor` that it was multiplied by; in `audit`
+        `readings`, `rays`, and what differs most, `signed_mean` and `worst`.
+        """
+        found = self._native.checked
+        return None if found is None else json.loads(found)
+
+    @property
+    def accuracy_reached(self) -> float:
+        """Largest error that is left in a transfer, relative to it or a hundredth of the largest of its row; 0 where all are as asked."""
+        return self._native.accuracy_reached
 
     @property
     def seconds(self) -> float:
@@ -124,7 +136,7 @@ def view_factors(
             given = [(f"polygons[{index}]", polygon) for index, polygon in enumerate(polygons(of))]
             if not given:
                 raise refusal("polygons: there are none", "give an array (n, k, 3), or a list of arrays (k, 3)")
-            found = _radiosity.view_factors_of_polygons(given, wanted, "view_factors", method, observer)
+            found = _radiosity.view_factors_of_polygons(given, wanted, "view_factors", True, method, observer)
     return ViewFactors(found, sparse=sparse)
 
 
@@ -134,7 +146,7 @@ def view_factor(
     """The share of what leaves the polygon `a` (k, 3) that reaches the polygon `b` (k, 3), past `blockers`."""
     given = [("a", numbers("a", a, ("k", 3))), ("b", numbers("b", b, ("k", 3)))]
     given += [(f"blockers[{index}]", blocker) for index, blocker in enumerate(polygons(blockers, "blockers"))]
-    found = _radiosity.view_factors_of_polygons(given, [("surface-1", "surface-2")], "view_factor", method, None)
+    found = _radiosity.view_factors_of_polygons(given, [("surface-1", "surface-2")], "view_factor", False, method, None)
     return found.factor(0, 1)
 
 

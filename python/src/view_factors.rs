@@ -6,12 +6,16 @@ use numpy::{IntoPyArray, PyArray1, PyArrayDyn, PyReadonlyArray2, PyReadwriteArra
 use pyo3::exceptions::PyMemoryError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
+use radiosity::audit::Checked;
 use radiosity::geom::shapes::Polygon;
 use radiosity::kernel::WorstError;
 use radiosity::reading::accuracy_warning::missed;
+use radiosity::reading::checked_factors::CheckedFactors;
 use radiosity::reading::row_sums::RowSums;
-use radiosity::request::TransferRequest;
+use radiosity::request::{CheckRequest, TransferRequest};
 use radiosity::scene::{Material, Scene as Whole, SceneError};
+use radiosity::solve::Failure;
+use radiosity::solve::in_threads;
 use radiosity::work::{Progress as Event, Work};
 use radiosity::{SceneBuilder, solve::view_factors as library};
 
@@ -25,6 +29,7 @@ use crate::work::work;
 #[pyclass(frozen, module = "radiosity._radiosity")]
 pub(crate) struct ViewFactors {
     factors: library::ViewFactors,
+    told: CheckedFactors,
     /// Pairs of surfaces whose factors were asked for; empty for all.
     pairs: BTreeSet<[usize; 2]>,
     is_closed: Option<bool>,
@@ -46,22 +51,24 @@ pub(crate) fn view_factors_of_scene(
     given: &Bound<'_, PyDict>,
     observer: Option<Bound<'_, PyAny>>,
 ) -> PyResult<ViewFactors> {
-    factors(py, &scene.scene, &pairs, "view_factors", given, observer.as_ref())
+    factors(py, &scene.scene, &pairs, "view_factors", true, given, observer.as_ref())
 }
 
 /// The view factors between polygons, each an array (k, 3) of its vertices, called surface-1 and so on;
-/// `function` names the called function in messages.
+/// `function` names the called function in messages, `is_judged` tells whether errors are wanted that walks have
+/// judged.
 #[pyfunction]
 pub(crate) fn view_factors_of_polygons(
     py: Python<'_>,
     polygons: Vec<Named<'_>>,
     pairs: Vec<Pair>,
     function: &str,
+    is_judged: bool,
     given: &Bound<'_, PyDict>,
     observer: Option<Bound<'_, PyAny>>,
 ) -> PyResult<ViewFactors> {
     let scene = scene_of(&polygons)?;
-    factors(py, &scene, &pairs, function, given, observer.as_ref())
+    factors(py, &scene, &pairs, function, is_judged, given, observer.as_ref())
 }
 
 fn scene_of(polygons: &[Named<'_>]) -> Result<Whole, Trouble> {
@@ -86,33 +93,53 @@ fn factors(
     scene: &Whole,
     pairs: &[Pair],
     function: &str,
+    is_judged: bool,
     given: &Bound<'_, PyDict>,
     observer: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<ViewFactors> {
     let mut given = Arguments::of(given)?;
     let request: TransferRequest = given.fields()?;
+    let check: CheckRequest = given.fields()?;
     given.finish(function)?;
     let indices = |(one, other): &Pair| Ok([scene.surface_named(one)?, scene.surface_named(other)?]);
     let pairs =
         pairs.iter().map(indices).collect::<Result<BTreeSet<_>, SceneError>>().map_err(Trouble::from)?;
     let wanted = |i, j| pairs.is_empty() || pairs.contains(&[i, j]);
-    let factors = work(py, observer, |progress| {
+    let options = request.factors();
+    let from: BTreeSet<usize> = match pairs.is_empty() {
+        true => (0..scene.surfaces.len()).collect(),
+        false => pairs.iter().map(|pair| pair[0]).collect(),
+    };
+    let from: Vec<usize> = from.into_iter().collect();
+    let (factors, told) = work(py, observer, |progress| {
         let tell = |event| {
             if let Event::Done { done, of, .. } = event {
                 progress.step("pairs", done, of);
             }
         };
-        library::ViewFactors::of_pairs(scene, &wanted, &request.factors(), &Work::alone().observed_by(&tell))
+        let work = Work::alone().observed_by(&tell);
+        let factors = library::ViewFactors::of_pairs(scene, &wanted, &options, &work)?;
+        let effort = check.of_factors(&factors, &options, from.len(), scene);
+        let told = match effort.filter(|_| is_judged || check.audit.is_some()) {
+            Some(effort) => in_threads(options.threads, || {
+                CheckedFactors::judged(scene, &factors, &options, &from, &wanted, &effort, &Work::alone())
+            })?,
+            None => CheckedFactors::unjudged(&factors),
+        };
+        Ok::<_, Failure>((factors, told))
     })?;
     if let Some(worst) = factors.worst_error.filter(WorstError::is_real) {
         warn(py, &missed(&worst, worst.pair.map(|surface| &factors.names[surface][..])))?;
+    }
+    if let Some(finding) = told.checked.as_ref().and_then(Checked::finding) {
+        warn(py, &format!("walks find the factors off by more than these tell: {finding}").into())?;
     }
     let sums = pairs.is_empty().then(|| RowSums::of(&factors, request.accuracy()));
     if let Some(warning) = sums.as_ref().and_then(RowSums::warning) {
         warn(py, &warning.message)?;
     }
     let is_closed = sums.and_then(|sums| sums.is_closed());
-    Ok(ViewFactors { factors, pairs, is_closed, remarks: remarks(scene) })
+    Ok(ViewFactors { factors, told, pairs, is_closed, remarks: remarks(scene) })
 }
 
 #[pymethods]
@@ -191,11 +218,23 @@ impl ViewFactors {
         array(py, &[sums.len()], sums)
     }
 
-    /// Largest error left in the exchange of two elements, and the largest difference of A_i F_ij and A_j
-    /// F_ji.
+    /// The largest error of a factor in the row of each surface.
     #[getter]
-    fn errors(&self) -> [f64; 2] {
-        [self.factors.accuracy_reached, self.factors.reciprocity.largest]
+    fn errors<'py>(&self, py: Python<'py>) -> Bound<'py, PyArrayDyn<f64>> {
+        array(py, &[self.told.errors.len()], self.told.errors.clone())
+    }
+
+    /// Largest error left in the exchange of two elements.
+    #[getter]
+    fn accuracy_reached(&self) -> f64 {
+        self.factors.accuracy_reached
+    }
+
+    /// JSON of what walks found; None where they did not look.
+    #[getter]
+    fn checked(&self) -> Option<String> {
+        let checked = self.told.checked.as_ref();
+        checked.map(|own| serde_json::to_string(own).expect("it is plain data"))
     }
 
     #[getter]

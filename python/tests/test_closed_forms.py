@@ -54,6 +54,14 @@ def test_rows_of_a_closed_room_sum_to_one():
     assert factors.matrix[0, 2] == pytest.approx((1 - opposite_squares(1)) / 4, rel=1e-8)
 
 
+def test_errors_of_view_factors_are_told_and_judged():
+    exact = radiosity.view_factors(cube())
+    assert exact.checked is None and (exact.errors < 1e-15).all()
+    looked = radiosity.view_factors(cube(), audit=0.1)
+    assert looked.checked["audit"]["rays"] > 0 and looked.checked["error_factor"] == 1
+    assert np.array_equal(looked.errors, exact.errors)
+
+
 @pytest.mark.parametrize("reflectance", [0.2, 0.9])
 def test_a_furnace(reflectance: float):
     scene = radiosity.Scene(bands=["a", "b"])

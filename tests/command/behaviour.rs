@@ -398,7 +398,7 @@ fn a_report_has_every_key_and_they_agree() {
     for key in "load elements blocks visibility solve output total".split_whitespace() {
         assert!(report["seconds"][key].as_f64().unwrap() >= 0.0, "{key}");
     }
-    for key in "closure_max reciprocity_max row_sum_min row_sum_max energy_in energy_absorbed energy_lost \
+    for key in "closure_max row_sum_min row_sum_max energy_in energy_absorbed energy_lost \
                 spectral_bound seam_jump_max"
         .split_whitespace()
     {

@@ -9,3 +9,4 @@ mod tubes;
 mod refusals;
 mod strips;
 mod closed_forms;
+mod factors;

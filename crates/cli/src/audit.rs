@@ -240,7 +240,7 @@ impl AuditArgs {
         let factors = ViewFactors::new(&scene, &options, &work)?;
         let rows = self.audit.chosen(&(0..scene.surfaces.len()).collect::<Vec<_>>());
         let effort = self.audit.effort(rows.len(), &scene);
-        let judge = || JudgedFactors::of(&scene, &factors, &options, &rows, &effort, &work);
+        let judge = || JudgedFactors::of(&scene, &factors, &options, &rows, &|_, _| true, &effort, &work);
         let judged = in_threads(ranks.threads(options.threads), judge)?;
         progress.clear();
         if judged.factors.is_empty() {

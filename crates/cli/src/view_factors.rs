@@ -6,12 +6,15 @@ use std::path::PathBuf;
 use std::time::Instant;
 
 use clap::{Args, ValueEnum};
+use radiosity_audit::Checked;
 use radiosity_kernel::WorstError;
 use radiosity_output::files::view_factors as output;
 use radiosity_output::files::view_factors::Sparse;
 use radiosity_reading::accuracy_warning::missed;
+use radiosity_reading::checked_factors::CheckedFactors;
 use radiosity_reading::row_sums::RowSums;
 use radiosity_scene::Scene;
+use radiosity_solve::in_threads;
 use radiosity_solve::view_factors::ViewFactors;
 use radiosity_work::ranks::Ranks;
 use radiosity_work::{Progress as Event, Work};
@@ -34,7 +37,7 @@ Materials and emitters are not needed. Instead of a scene, SCENE may be a plain 
   .json  [[[0,0,0],[1,0,0],[0,1,0]], …], a list of vertices for each polygon
 Vertices run counterclockwise as seen from the front, which alone sees; the back blocks.";
 
-/// Prints the view factors F_ij between the surfaces of a scene, and checks row sums and reciprocity
+/// Prints the view factors F_ij between the surfaces of a scene, each with its error, and their row sums
 #[derive(Debug, Args)]
 #[command(after_help = NOTES)]
 pub(crate) struct ViewFactorsArgs {
@@ -105,12 +108,13 @@ pub(crate) fn run(args: &ViewFactorsArgs, given: &TypedOptions, ranks: &Ranks) -
     };
     let work = Work::among(ranks).observed_by(&show);
     let factors = ViewFactors::of_pairs(&scene, &wanted, &args.transfers.request.factors(), &work)?;
+    let told = args.checked(&scene, &factors, &pairs, &work)?;
     let form = Form { format, sparse: args.sparse, pairs };
-    destination.write(|writer| form.write(&scene, &factors, writer))?;
+    destination.write(|writer| form.write(&scene, &factors, &told, writer))?;
     drop(progress);
     let first = costs(&scene, &factors, start.elapsed().as_secs_f64());
-    args.transfers.tell(first, &scene, args.findings(&factors), &args.output, ranks);
-    Ok(())
+    args.transfers.tell(first, &scene, args.findings(&factors, &told), &args.output, ranks);
+    args.judge(&told)
 }
 
 /// The first lines of the summary of a run of so many seconds.
@@ -134,15 +138,21 @@ struct Form {
 }
 
 impl Form {
-    fn write(&self, scene: &Scene, factors: &ViewFactors, writer: &mut dyn Write) -> io::Result<()> {
+    fn write(
+        &self,
+        scene: &Scene,
+        factors: &ViewFactors,
+        told: &CheckedFactors,
+        writer: &mut dyn Write,
+    ) -> io::Result<()> {
         match (self.format, self.listed(factors), self.sparse) {
-            (Format::Csv, Some(pairs), _) => output::pairs_csv(factors, &pairs, writer),
+            (Format::Csv, Some(pairs), _) => output::pairs_csv(factors, told, &pairs, writer),
             (Format::Csv, None, _) => output::csv(factors, writer),
-            (Format::Json, Some(pairs), _) => output::pairs_json(factors, &pairs, writer),
-            (Format::Json, None, _) => output::json(factors, writer),
+            (Format::Json, Some(pairs), _) => output::pairs_json(factors, told, &pairs, writer),
+            (Format::Json, None, _) => output::json(factors, told, writer),
             (Format::Npy, ..) => output::npy(factors, writer),
-            (Format::Npz, _, Some(sparse)) => output::sparse_npz(factors, sparse, writer),
-            (Format::Npz, _, None) => output::npz(factors, writer),
+            (Format::Npz, _, Some(sparse)) => output::sparse_npz(factors, told, sparse, writer),
+            (Format::Npz, _, None) => output::npz(factors, told, writer),
             (Format::Txt, ..) => output::view3d(factors, &emittances(scene), writer),
         }
     }
@@ -204,9 +214,47 @@ impl ViewFactorsArgs {
         Err(CliError::refused(message, cure))
     }
 
+    /// The errors of the factors, of all or of the `pairs` that were asked for.
+    fn checked(
+        &self,
+        scene: &Scene,
+        factors: &ViewFactors,
+        pairs: &[[usize; 2]],
+        work: &Work<'_>,
+    ) -> Result<CheckedFactors, CliError> {
+        let TransferArgs { request, check, .. } = &self.transfers;
+        let chosen: BTreeSet<[usize; 2]> = pairs.iter().copied().collect();
+        let mut from: Vec<usize> = match chosen.is_empty() {
+            true => (0..factors.names.len()).collect(),
+            false => chosen.iter().map(|pair| pair[0]).collect(),
+        };
+        from.dedup();
+        let options = request.factors();
+        let wanted = |i, j| chosen.is_empty() || chosen.contains(&[i, j]);
+        let Some(effort) = check.of_factors(factors, &options, from.len(), scene) else {
+            return Ok(CheckedFactors::unjudged(factors));
+        };
+        let judged = || CheckedFactors::judged(scene, factors, &options, &from, &wanted, &effort, work);
+        Ok(in_threads(work.ranks.threads(options.threads), judged)?)
+    }
+
+    /// Fails where a strict run finds more than is told.
+    fn judge(&self, told: &CheckedFactors) -> Result<(), CliError> {
+        match told.checked.as_ref().filter(|checked| self.scene.strict && checked.finds_more()) {
+            Some(checked) => {
+                Err(CliError::FoundMore { what: "the view factors are", told: checked.own_error })
+            }
+            None => Ok(()),
+        }
+    }
+
     /// The lines of the summary on the factors.
-    fn findings(&self, factors: &ViewFactors) -> Vec<String> {
+    fn findings(&self, factors: &ViewFactors, told: &CheckedFactors) -> Vec<String> {
         let mut lines = if self.pairs.is_empty() { self.sums(factors) } else { Vec::new() };
+        lines.extend(told.checked.as_ref().map(ToString::to_string));
+        if let Some(finding) = told.checked.as_ref().and_then(Checked::finding) {
+            lines.push(format!("warning: walks find the factors off by more than these tell: {finding}"));
+        }
         if let Some(worst) = factors.worst_error.filter(WorstError::is_real) {
             let names = worst.pair.map(|surface| &factors.names[surface][..]);
             lines.push(format!("warning: {}", missed(&worst, names)));
@@ -214,15 +262,11 @@ impl ViewFactorsArgs {
         lines
     }
 
-    /// Lines on row sums and reciprocity.
+    /// Lines on row sums.
     fn sums(&self, factors: &ViewFactors) -> Vec<String> {
         let sums = RowSums::of(factors, self.transfers.request.accuracy());
         let [range, closed] = sums.lines();
-        let reciprocity = format!(
-            "reciprocity: of {} pairs integrated from either side A_i F_ij and A_j F_ji differ by {:.1e} at the most",
-            factors.reciprocity.pairs, factors.reciprocity.largest
-        );
         let warning = sums.warning().map(|warning| warning.to_string());
-        [range, reciprocity, closed].into_iter().chain(warning).collect()
+        [range, closed].into_iter().chain(warning).collect()
     }
 }

@@ -9,8 +9,8 @@ pub mod held_rows;
 pub(crate) mod worst_error;
 pub(crate) mod placed_block;
 pub(crate) mod pair_counts;
-pub(crate) mod reciprocity;
 pub(crate) mod remainder;
+pub(crate) mod row_error;
 pub(crate) mod statistics;
 
 use std::borrow::Cow;

@@ -1,9 +1,10 @@
 //! View factors judged by a referee: F_ij that are printed, beside the part of the rays of i that meets j.
 //!
 //! Of the rows that are judged, factors from 1e-3 on count, printed or found: of fewer a referee tells little.
-//! Factors of a row make a class of their own.
+//! Factors of a row make a class of their own. Rows of surfaces on which something stands are left out: their
+//! factors are of the whole surface, and rays leave what is open.
 
-use radiosity_audit::{Effort, Judged, Verdict, ViewFactorReferee, ViewFactorRow};
+use radiosity_audit::{Checked, Effort, Judged, Verdict, ViewFactorReferee, ViewFactorRow};
 use radiosity_scene::Scene;
 use radiosity_solve::view_factors::{Options, ViewFactors};
 use radiosity_work::Work;
@@ -27,6 +28,8 @@ pub struct JudgedFactors {
 /// A judged factor, of the class of the surface that it is from.
 #[derive(Clone, Debug)]
 pub struct JudgedFactor {
+    /// Index of the surface that it is from.
+    pub from: usize,
     /// Name of the surface that it is to.
     pub to: String,
     /// The printed and the found number.
@@ -34,18 +37,22 @@ pub struct JudgedFactor {
 }
 
 impl JudgedFactors {
-    /// Judges the rows of these surfaces, by their indices, of factors that were computed with `options`.
+    /// Judges the pairs that are `wanted` in the rows of these surfaces, by their indices, of factors that were
+    /// computed with `options`.
     pub fn of(
         scene: &Scene,
         factors: &ViewFactors,
         options: &Options,
         rows: &[usize],
+        wanted: &dyn Fn(usize, usize) -> bool,
         effort: &Effort,
         work: &Work<'_>,
     ) -> Self {
         let effort = effort.of_surfaces();
         let found = ViewFactorReferee::of(scene).rows(rows, &effort, work);
-        let all: Vec<JudgedFactor> = found.iter().flat_map(|row| judged_row(factors, row)).collect();
+        let is_open = |row: &&ViewFactorRow| row.rays == effort.walks();
+        let all: Vec<JudgedFactor> =
+            found.iter().filter(is_open).flat_map(|row| judged_row(factors, wanted, row)).collect();
         let judged: Vec<Judged> = all.iter().map(|own| own.judged.clone()).collect();
         let accuracy = &options.accuracy;
         Self {
@@ -55,13 +62,26 @@ impl JudgedFactors {
             verdict: Verdict::of(&judged, Verdict::WORST),
         }
     }
+
+    /// What the verdict makes of the method's own estimates of the errors in each row.
+    pub(crate) fn checked(&self, errors: &[f64]) -> Checked {
+        let judged: Vec<Judged> = self.factors.iter().map(|own| own.judged.clone()).collect();
+        let own: Vec<f64> = self.factors.iter().map(|own| errors[own.from]).collect();
+        Checked::of(&judged, &own, &self.verdict, "view factors")
+    }
 }
 
 /// The factors of a row that count; its rays are those of the first.
-fn judged_row(factors: &ViewFactors, row: &ViewFactorRow) -> Vec<JudgedFactor> {
+fn judged_row(
+    factors: &ViewFactors,
+    wanted: &dyn Fn(usize, usize) -> bool,
+    row: &ViewFactorRow,
+) -> Vec<JudgedFactor> {
     let printed = factors.row(row.surface);
-    let counts = |to: &usize| printed[*to] >= LEAST || row.to(*to).value >= LEAST;
+    let counts =
+        |to: &usize| wanted(row.surface, *to) && (printed[*to] >= LEAST || row.to(*to).value >= LEAST);
     let judged = |(number, to): (usize, usize)| JudgedFactor {
+        from: row.surface,
         to: factors.names[to].clone(),
         judged: Judged::of_number(
             &factors.names[row.surface],

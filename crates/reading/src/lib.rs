@@ -3,7 +3,7 @@
 //! In order: values on a grid of points ([`field`]), warnings, light at points
 //! and sensors ([`reader`], [`probe`], [`grid`], [`uniformity`], [`plane_figures`]) with its errors
 //! ([`read_error`], [`quality`]) and what a referee says of it ([`judging`]) and
-//! of view factors ([`judged_factors`]), the report of a run ([`report`],
+//! of view factors ([`judged_factors`], [`checked_factors`]), the report of a run ([`report`],
 //! [`rank_work`], [`checkpoint`]), light of pixels and texels ([`pictures`]), and solutions in files ([`files`]:
 //! our own, and curved cells of VTK).
 //!
@@ -23,6 +23,7 @@ pub mod plane_figures;
 pub mod quality;
 pub mod judging;
 pub mod judged_factors;
+pub mod checked_factors;
 pub mod accuracy_warning;
 pub mod rank_work;
 pub mod checkpoint;

@@ -1,10 +1,13 @@
 //! Requests for a referee: how long it looks, and at how many readings.
 
 use radiosity_audit::Effort;
+use radiosity_reading::checked_factors::CheckedFactors;
 use radiosity_reading::judging::{Judging, evenly, told};
 use radiosity_reading::quality::ReadSettings;
 use radiosity_scene::Scene;
 use radiosity_solve::solved::Solved;
+use radiosity_solve::view_factors::{self, ViewFactors};
+use radiosity_visibility::Shadows;
 use serde::Deserialize;
 
 use super::ranges::{Number, Readings, Seconds, Seed};
@@ -57,6 +60,20 @@ impl CheckRequest {
             Some(seconds) => Effort::of_seconds(f64::from(seconds), readings, scene),
             None => Effort::beside(run, readings, scene),
         }
+    }
+
+    /// Walks for each row that is judged of view factors from so many surfaces; None where all of them are exact, or
+    /// what blocks was left out, unless asked for.
+    pub fn of_factors(
+        &self,
+        factors: &ViewFactors,
+        options: &view_factors::Options,
+        surfaces: usize,
+        scene: &Scene,
+    ) -> Option<Effort> {
+        let pays = options.shadows != Shadows::Off && !factors.are_exact();
+        let effort = || self.effort(factors.forecast(), surfaces.min(CheckedFactors::ROWS), scene);
+        (pays || self.audit.is_some()).then(effort)
     }
 }
 

@@ -57,9 +57,6 @@ pub struct Checks {
     /// only elements count whose blocks were all computed ([`Carrier::is_complete`]) and which nothing
     /// covers.
     pub closure_max: f64,
-    /// Largest |A_i F_ij − A_j F_ji| / min(A_i, A_j), over a sample of pairs that were integrated in both
-    /// directions; over all pairs with the rules of 1993.
-    pub reciprocity_max: f64,
     /// Smallest row sum Σ_j F_ij; 0 if no element counts.
     pub row_sum_min: f64,
     /// Largest row sum.
@@ -107,7 +104,6 @@ impl Checks {
         let bounds = ranks.each(solution.bands(), bound);
         Self {
             closure_max: closure(&complete, blocks.starts(), &ones, &open),
-            reciprocity_max: blocks.reciprocity(list),
             row_sum_min: sums.iter().copied().reduce(f64::min).unwrap_or(0.0),
             row_sum_max: sums.iter().copied().fold(0.0, f64::max),
             energy_in: powers.emitted,

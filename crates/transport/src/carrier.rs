@@ -1,10 +1,7 @@
 //! The transfer matrix G as checks use it, whatever carries light between elements: its products, and which
 //! rows are complete.
 
-use std::collections::BTreeMap;
-
-use radiosity_elements::Element;
-use radiosity_kernel::{Blocks, PlacedBlock};
+use radiosity_kernel::Blocks;
 
 /// A transfer matrix G in any form.
 pub trait Carrier: Sync {
@@ -25,9 +22,6 @@ pub trait Carrier: Sync {
 
     /// Whether an element's row is known as a whole.
     fn is_complete(&self, element: usize) -> bool;
-
-    /// Largest |A_i F_ij − A_j F_ji| / min(A_i, A_j) that is known.
-    fn reciprocity(&self, list: &[Element]) -> f64;
 }
 
 impl Carrier for Blocks {
@@ -53,21 +47,5 @@ impl Carrier for Blocks {
 
     fn is_complete(&self, element: usize) -> bool {
         self.is_complete(element)
-    }
-
-    /// A_i F_ij = ∫ φ_0 dA_i G_ij^00 ∫ φ_0 dA_j; the other φ_k have no mean.
-    fn reciprocity(&self, list: &[Element]) -> f64 {
-        if self.symmetric() {
-            return self.statistics.reciprocity.largest;
-        }
-        let exchanged = |PlacedBlock { row: i, column: j, values }: PlacedBlock<'_>| {
-            ((i, j), list[i].constant[0] * values[0] * list[j].constant[0])
-        };
-        let exchanged: BTreeMap<(usize, usize), f64> = self.gathered().iter().map(exchanged).collect();
-        let difference = |((i, j), there): (&(usize, usize), &f64)| {
-            let back = exchanged.get(&(*j, *i)).copied().unwrap_or_default();
-            (there - back).abs() / list[*i].area.min(list[*j].area)
-        };
-        exchanged.iter().map(difference).fold(0.0, f64::max)
     }
 }

@@ -10,7 +10,7 @@ mod change;
 pub mod kept_rays;
 
 use std::collections::HashMap;
-use std::sync::{Arc, OnceLock};
+use std::sync::Arc;
 
 use radiosity_elements::Elements;
 use radiosity_geom::{RayTree, Rect};
@@ -91,15 +91,13 @@ pub(crate) struct Request {
     pub numbers: Vec<u64>,
 }
 
-/// A block, and its first entry as integrated with the elements exchanged, where that was done.
+/// A block as it is kept.
 #[derive(Debug, Serialize, Deserialize)]
 pub(crate) struct IntegratedBlock {
     pub block: Block,
     /// Bound of the norm of what it differs by from the integrated block, where it is known otherwise; else
     /// 0.
     pub remainder: f64,
-    #[serde(skip)]
-    pub exchanged: OnceLock<Option<f64>>,
 }
 
 impl IntegratedBlock {
@@ -108,7 +106,7 @@ impl IntegratedBlock {
     }
 
     pub(crate) fn known(block: Block, remainder: f64) -> Self {
-        Self { block, remainder, exchanged: OnceLock::new() }
+        Self { block, remainder }
     }
 }
 

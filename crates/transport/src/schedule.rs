@@ -20,12 +20,12 @@ mod sorting;
 mod integrated;
 mod integration;
 mod kept;
-mod reciprocity;
 mod work;
 mod columns_as_shot;
 
+use radiosity_kernel::blocks::block::BlockReport;
 use radiosity_kernel::estimates::entry_bounds::{ROW_SHARE, SMALLEST_ENTRY};
-use radiosity_kernel::{Accuracy, Blocks, Remainder, WorstError};
+use radiosity_kernel::{Accuracy, Blocks, PairKind, Remainder, WorstError};
 use radiosity_work::Work;
 use radiosity_work::interruption::check_interrupt;
 
@@ -104,10 +104,7 @@ impl Schedule<'_> {
     ) -> Vec<UnreachedPair> {
         let outcomes = self.outcomes(plan, integrated);
         integrated.deliver(plan, &|index| outcomes[index].is_left, blocks.held());
-        let left = self.store(blocks, plan, &outcomes, integrated);
-        let is_stored = |index: usize| !outcomes[index].is_left;
-        blocks.statistics.reciprocity = self.reciprocity(plan, &is_stored, integrated);
-        left
+        self.store(blocks, plan, &outcomes, integrated)
     }
 
     /// The errors of all blocks, and whether rules or rays carry them.
@@ -167,6 +164,9 @@ impl Schedule<'_> {
             }
             let asked = asked(block.partly_hidden, self.accuracy);
             blocks.statistics.record_error(WorstError { pair, error: *error, asked, by_rays: false });
+            let unit = (self.list[row].area * self.list[column].area).sqrt();
+            let quadrature = if is_exact(&block) { 0.0 } else { integrated.report(place).largest * asked };
+            blocks.statistics.take_exchange(pair, self.list.len(), unit * block.error, unit * quadrature);
             self.push(blocks, planned, integrated);
         }
         left
@@ -198,6 +198,11 @@ impl Schedule<'_> {
             }
         }
     }
+}
+
+/// Whether a closed form made a block that nothing hides a part of.
+fn is_exact(block: &BlockReport) -> bool {
+    block.kind == PairKind::Contour && !block.partly_hidden
 }
 
 /// The error that is asked of a block: where something hides a part of it, that of shadows if larger.

@@ -93,10 +93,11 @@ pub(crate) fn add(
     }
     blocks.statistics.rays += sent;
     blocks.statistics.pairs.by_rays += left.len();
-    for (RayBlock { row, column, values, relative, .. }, pair) in found.into_iter().zip(left) {
+    for (RayBlock { row, column, values, relative, share, .. }, pair) in found.into_iter().zip(left) {
         blocks.push(row, column, &values);
         let (pair, asked) = ([row, column], asked(pair.partly_hidden, accuracy));
         blocks.statistics.record_error(WorstError { pair, error: relative, asked, by_rays: true });
+        blocks.statistics.take_exchange(pair, elements.list().len(), share, 0.0);
     }
 }
 
@@ -253,7 +254,7 @@ impl BatchSums {
             |(mean, square): (&f64, &f64)| ((square / n - mean * mean).max(0.0) / (n - 1.0)).sqrt();
         let largest = values.iter().zip(&self.squares).map(deviation).fold(0.0, f64::max);
         let error = DEVIATIONS * largest + one;
-        RayBlock { row, column, values, one, error, is_by_rules: false, relative: 0.0 }
+        RayBlock { row, column, values, one, error, is_by_rules: false, relative: 0.0, share: 0.0 }
     }
 }
 

@@ -368,22 +368,6 @@ fn power_balances_without_symmetry() {
     }
 }
 
-/// A_i F_ij = √(A_i A_j) G_ij^00, for a wall twice as high as the floor is deep.
-#[test]
-fn the_report_tells_how_far_the_hybrid_is_from_reciprocal() {
-    let wall = WALL.map(|[x, y, z]| [x, y, 2.0 * z]);
-    let (elements, visibility) = two(RECEIVER, wall, 4);
-    let blocks = as_1993(&elements, &visibility, H1, 2);
-    let (dim, wall_starts) = (blocks.dim(), blocks.starts()[1]);
-    let unit = |k: usize| (0..dim).map(|l| f64::from(u8::from(k == l))).collect::<Vec<_>>();
-    let (to_floor, to_wall) = (blocks.apply(&unit(wall_starts))[0], blocks.apply(&unit(0))[wall_starts]);
-    let expected = 2f64.sqrt() * (to_floor - to_wall).abs();
-    let options = Options { order: 4, kernel: Some(H1), threads: 2, ..Options::default() };
-    let outcome = outcome_of(&scene(&[RECEIVER, wall]), &options);
-    let reported = outcome.checks.reciprocity_max;
-    assert!(expected > 1e-4 && (reported - expected).abs() < 1e-14, "{reported} {expected}");
-}
-
 /// A panel over half of the middle plane hides exactly half: what it lets pass from x to y it hides from the
 /// mirror image of x to that of y. With an odd number of points on one side only, no segment meets the
 /// panel's edge.

@@ -3,7 +3,7 @@
 use clap::builder::PossibleValue;
 use clap::{Arg, Args, Command};
 use radiosity_request::{
-    AuditRequest, HeatRequest, ImportRequest, MethodRequest, ReadRequest, TransferRequest,
+    AuditRequest, CheckRequest, HeatRequest, ImportRequest, MethodRequest, ReadRequest, TransferRequest,
 };
 
 use super::assert_made;
@@ -133,7 +133,7 @@ fn classes() -> Vec<Class> {
             name: "Transfers",
             base: "TypedDict",
             about: "How transfers are integrated.",
-            options: of::<TransferRequest>(&[], ""),
+            options: together([of::<TransferRequest>(&[], ""), of::<CheckRequest>(&[], "")]),
         },
         Class {
             name: "HeatMethod",

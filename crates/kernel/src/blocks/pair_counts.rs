@@ -43,6 +43,11 @@ pub struct PairCounts {
 }
 
 impl PairCounts {
+    /// Pairs that were integrated or copied.
+    pub fn integrated(&self) -> usize {
+        self.same + self.edge + self.vertex + self.contact + self.split + self.separated + self.contour
+    }
+
     /// Counts one more pair whose block was integrated or copied.
     pub fn take(&mut self, block: &BlockReport) {
         let counter = match block.kind {

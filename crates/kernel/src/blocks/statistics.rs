@@ -2,8 +2,8 @@
 
 use crate::blocks::block::BlockReport;
 use crate::blocks::pair_counts::PairCounts;
-use crate::blocks::reciprocity::Reciprocity;
 use crate::blocks::remainder::Remainder;
+use crate::blocks::row_error::RowError;
 use crate::blocks::worst_error::WorstError;
 
 /// Counts, costs and errors of the blocks of a matrix.
@@ -18,13 +18,13 @@ pub struct BlockStatistics {
     pub distinct: u64,
     /// Segments tested for visibility.
     pub rays: u64,
-    /// Reciprocity, from a sample of pairs that were integrated both ways.
-    pub reciprocity: Reciprocity,
     /// Estimate of the largest error of a block that rules or rays leave ([`WorstError::error`]); zero if all
     /// were resolved.
     pub accuracy_reached: f64,
     /// The block whose error is the largest multiple of what was asked of it.
     pub worst_error: Option<WorstError>,
+    /// Errors of what each element exchanges, by elements; none where all are exact.
+    pub row_errors: Vec<RowError>,
     /// Remainders of the blocks that were not integrated.
     pub remainders: Vec<Remainder>,
 }
@@ -35,6 +35,19 @@ impl BlockStatistics {
         self.accuracy_reached = self.accuracy_reached.max(error.error);
         if self.worst_error.is_none_or(|worst| error.excess() > worst.excess()) {
             self.worst_error = Some(error);
+        }
+    }
+
+    /// Takes the error of what two of so many elements exchange: what is known of it and what was asked of it
+    /// (length²).
+    pub fn take_exchange(&mut self, pair: [usize; 2], elements: usize, known: f64, asked: f64) {
+        if known == 0.0 && asked == 0.0 {
+            return;
+        }
+        self.row_errors.resize(elements, RowError::default());
+        self.row_errors[pair[0]].take(known, asked);
+        if pair[0] != pair[1] {
+            self.row_errors[pair[1]].take(known, asked);
         }
     }
 

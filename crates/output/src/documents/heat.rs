@@ -70,7 +70,6 @@ pub fn json(heat: &Heat, mut out: impl Write) -> io::Result<()> {
         solver: heat.outcome.solver,
         iterations: heat.outcome.iterations,
         closure_max: heat.outcome.checks.closure_max,
-        reciprocity_max: heat.outcome.checks.reciprocity_max,
         accuracy_reached: heat.outcome.accuracy_reached,
     };
     serde_json::to_writer_pretty(&mut out, &document)?;
@@ -85,7 +84,6 @@ struct Document<'a> {
     solver: &'a str,
     iterations: usize,
     closure_max: f64,
-    reciprocity_max: f64,
     accuracy_reached: f64,
 }
 

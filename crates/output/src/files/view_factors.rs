@@ -4,6 +4,8 @@
 
 use std::io::{self, Write};
 
+use radiosity_audit::Checked;
+use radiosity_reading::checked_factors::CheckedFactors;
 use radiosity_solve::view_factors::ViewFactors;
 use serde::Serialize;
 use serde::ser::{SerializeSeq, Serializer};
@@ -42,23 +44,28 @@ pub enum Sparse {
     Coo,
 }
 
-/// NPZ with `F` of shape (N, N), `names` and `areas` of shape (N,).
+/// NPZ with `F` of shape (N, N), `names`, `areas` and `errors` of shape (N,).
 ///
 /// # Errors
 /// Errors of writing to `out`.
-pub fn npz(factors: &ViewFactors, out: impl Write) -> io::Result<()> {
+pub fn npz(factors: &ViewFactors, told: &CheckedFactors, out: impl Write) -> io::Result<()> {
     let count = factors.names.len();
     let mut archive = Archive::new(out);
     archive.square("F", count, (0..count).map(|i| factors.row(i)))?;
-    named(factors, archive)
+    named(factors, told, archive)
 }
 
-/// NPZ with the factors that are not zero, which `scipy.sparse.load_npz` reads, and `names` and `areas`
-/// beside them.
+/// NPZ with the factors that are not zero, which `scipy.sparse.load_npz` reads, and `names`, `areas` and
+/// `errors` beside them.
 ///
 /// # Errors
 /// Errors of writing to `out`.
-pub fn sparse_npz(factors: &ViewFactors, sparse: Sparse, out: impl Write) -> io::Result<()> {
+pub fn sparse_npz(
+    factors: &ViewFactors,
+    told: &CheckedFactors,
+    sparse: Sparse,
+    out: impl Write,
+) -> io::Result<()> {
     let rows = factors.names.len();
     let entries = || (0..rows).flat_map(|i| factors.nonzeros(i).map(move |(j, factor)| (i, j, factor)));
     let count = entries().count();
@@ -81,14 +88,15 @@ pub fn sparse_npz(factors: &ViewFactors, sparse: Sparse, out: impl Write) -> io:
     }
     archive.counts("shape", 2, [rows; 2].into_iter())?;
     archive.numbers("data", count, entries().map(|(.., factor)| factor))?;
-    named(factors, archive)
+    named(factors, told, archive)
 }
 
-/// Adds the names and areas of the surfaces, which are the rows and columns of a matrix, and ends the
-/// archive.
-fn named<W: Write>(factors: &ViewFactors, mut archive: Archive<W>) -> io::Result<()> {
+/// Adds the names and areas of the surfaces, which are the rows and columns of a matrix, and the errors of rows, and
+/// ends the archive.
+fn named<W: Write>(factors: &ViewFactors, told: &CheckedFactors, mut archive: Archive<W>) -> io::Result<()> {
     archive.texts("names", factors.names.iter().map(String::as_str))?;
     archive.numbers("areas", factors.areas.len(), factors.areas.iter().copied())?;
+    archive.numbers("errors", told.errors.len(), told.errors.iter().copied())?;
     archive.finish()
 }
 
@@ -122,41 +130,59 @@ fn line(numbers: &[f64], out: &mut impl Write) -> io::Result<()> {
     writeln!(out, "{}", words.join(" "))
 }
 
-/// JSON with names, areas, the matrix, its row sums and how good it is.
+/// JSON with names, areas, the matrix, its row sums and how good it is, as a referee found too where it looked.
 ///
 /// # Errors
 /// Errors of writing to `out`.
-pub fn json(factors: &ViewFactors, mut out: impl Write) -> io::Result<()> {
-    serde_json::to_writer(&mut out, &Document::of(factors))?;
+pub fn json(factors: &ViewFactors, told: &CheckedFactors, mut out: impl Write) -> io::Result<()> {
+    serde_json::to_writer(&mut out, &Document::of(factors, told))?;
     writeln!(out)
 }
 
-/// The pairs (i, j) only, as CSV with 17 digits.
+/// The pairs (i, j) only, as CSV with 17 digits, with the largest error in the row of each.
 ///
 /// # Errors
 /// Errors of writing to `out`.
-pub fn pairs_csv(factors: &ViewFactors, pairs: &[[usize; 2]], out: impl Write) -> io::Result<()> {
-    let rows = pairs.iter().map(|pair| named_factor(factors, pair, |factor| format!("{factor:.16e}").into()));
-    Listed { columns: &["from", "to", "F"].map(Column::text), rows }.csv(out)
+pub fn pairs_csv(
+    factors: &ViewFactors,
+    told: &CheckedFactors,
+    pairs: &[[usize; 2]],
+    out: impl Write,
+) -> io::Result<()> {
+    let rows =
+        pairs.iter().map(|pair| named_factor(factors, told, pair, |factor| format!("{factor:.16e}").into()));
+    Listed { columns: &["from", "to", "F", "error"].map(Column::text), rows }.csv(out)
 }
 
-/// The pairs (i, j) only, as JSON.
+/// The pairs (i, j) only, as JSON, with the largest error in the row of each.
 ///
 /// # Errors
 /// Errors of writing to `out`.
-pub fn pairs_json(factors: &ViewFactors, pairs: &[[usize; 2]], mut out: impl Write) -> io::Result<()> {
-    let rows = pairs.iter().map(|pair| named_factor(factors, pair, Value::from));
-    serde_json::to_writer(&mut out, &Listed { columns: &["from", "to", "factor"].map(Column::text), rows })?;
+pub fn pairs_json(
+    factors: &ViewFactors,
+    told: &CheckedFactors,
+    pairs: &[[usize; 2]],
+    mut out: impl Write,
+) -> io::Result<()> {
+    let rows = pairs.iter().map(|pair| named_factor(factors, told, pair, Value::from));
+    let columns = ["from", "to", "factor", "error"].map(Column::text);
+    serde_json::to_writer(&mut out, &Listed { columns: &columns, rows })?;
     writeln!(out)
 }
 
-/// The names of a pair, and its factor.
+/// The names of a pair, its factor, and the error of its row.
 fn named_factor<'a>(
     factors: &'a ViewFactors,
+    told: &CheckedFactors,
     [i, j]: &[usize; 2],
-    told: impl Fn(f64) -> Value<'a>,
-) -> [Value<'a>; 3] {
-    [factors.names[*i].as_str().into(), factors.names[*j].as_str().into(), told(factors.factor(*i, *j))]
+    shown: impl Fn(f64) -> Value<'a>,
+) -> [Value<'a>; 4] {
+    [
+        factors.names[*i].as_str().into(),
+        factors.names[*j].as_str().into(),
+        shown(factors.factor(*i, *j)),
+        told.errors[*i].into(),
+    ]
 }
 
 #[derive(Serialize)]
@@ -165,8 +191,9 @@ struct Document<'a> {
     areas: &'a [f64],
     factors: Rows<'a>,
     row_sums: Vec<f64>,
-    reciprocity_max: f64,
-    reciprocity_pairs: usize,
+    errors: &'a [f64],
+    #[serde(flatten)]
+    checked: Option<&'a Checked>,
     accuracy_reached: f64,
     kernel_samples: u64,
     shadow_rays: u64,
@@ -174,14 +201,14 @@ struct Document<'a> {
 }
 
 impl<'a> Document<'a> {
-    fn of(factors: &'a ViewFactors) -> Self {
+    fn of(factors: &'a ViewFactors, told: &'a CheckedFactors) -> Self {
         Self {
             surfaces: &factors.names,
             areas: &factors.areas,
             factors: Rows(factors),
             row_sums: factors.row_sums(),
-            reciprocity_max: factors.reciprocity.largest,
-            reciprocity_pairs: factors.reciprocity.pairs,
+            errors: &told.errors,
+            checked: told.checked.as_ref(),
             accuracy_reached: factors.accuracy_reached,
             kernel_samples: factors.samples,
             shadow_rays: factors.rays,

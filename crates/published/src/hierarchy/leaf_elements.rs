@@ -99,9 +99,4 @@ impl Carrier for LinkedElements<'_> {
     fn is_complete(&self, element: usize) -> bool {
         self.leaves[element].is_some()
     }
-
-    /// Each link is used both ways.
-    fn reciprocity(&self, _: &[Element]) -> f64 {
-        0.0
-    }
 }

@@ -13,4 +13,6 @@ pub(super) struct RayBlock {
     pub is_by_rules: bool,
     /// Largest error of the view factors of either whole, relative to the largest factor of its row.
     pub relative: f64,
+    /// Its part of the error of what its wholes exchange (length²): the squares of these parts add up.
+    pub share: f64,
 }

@@ -66,7 +66,7 @@ impl Wholes {
         self.relative_to(rows, self.wholes([found.row, found.column]), found.error * unit, most)
     }
 
-    /// Sets the relative error of every pair: that of the exchange of its wholes, of which `firsts` are the
+    /// Sets the errors of every pair: that of the exchange of its wholes, of which `firsts` are the
     /// first entries by each batch.
     pub(super) fn judge(
         &self,
@@ -76,7 +76,10 @@ impl Wholes {
         firsts: &[[f64; BATCHES]],
     ) {
         if self.kind == FactorEnds::Element {
-            found.iter_mut().for_each(|found| found.relative = self.relative(list, rows, found));
+            for found in found {
+                found.relative = self.relative(list, rows, found);
+                found.share = found.error * (list[found.row].area * list[found.column].area).sqrt();
+            }
             return;
         }
         let mut sums: HashMap<[usize; 2], BatchExchange> = HashMap::new();
@@ -89,6 +92,7 @@ impl Wholes {
         for found in found {
             let pair = self.wholes([found.row, found.column]);
             let Estimate { mean, error } = sums[&pair].estimate();
+            found.share = error / sums[&pair].blocks.sqrt();
             found.relative = self.relative_to(rows, pair, error, mean.abs() + error);
         }
     }
@@ -117,6 +121,8 @@ struct BatchExchange {
     batches: [f64; BATCHES],
     /// Value of one ray in the exchange (length²), the largest of the pairs.
     one: f64,
+    /// Number of its blocks.
+    blocks: f64,
 }
 
 /// The exchange of two wholes, as the batches estimate it (length²).
@@ -129,6 +135,7 @@ impl BatchExchange {
     fn take(&mut self, firsts: &[f64; BATCHES], one: f64, unit: f64) {
         self.batches.iter_mut().zip(firsts).for_each(|(sum, first)| *sum += unit * first);
         self.one = self.one.max(unit * one);
+        self.blocks += 1.0;
     }
 
     fn estimate(&self) -> Estimate {

@@ -8,8 +8,6 @@ pub enum PartName {
     SortedPairs,
     /// Blocks of pairs of elements.
     Blocks,
-    /// First entries of blocks that are integrated with the elements exchanged.
-    ExchangedBlocks,
     /// Rays of elements.
     Rays,
     /// Projections of direct light, and of its first bounce, element by element.

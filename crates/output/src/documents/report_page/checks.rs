@@ -32,7 +32,6 @@ fn rows(scene: &Scene, light: &LightPart) -> Vec<[String; 3]> {
         row("least row sum Σ F", decimals(checks.row_sum_min, 5), "1 in a closed scene"),
         row("greatest row sum Σ F", decimals(checks.row_sum_max, 5), "1 at most"),
         row("closure ‖c − G c‖, greatest", error(checks.closure_max), "0 in a closed scene"),
-        row("reciprocity |A F − A F′|, greatest", error(checks.reciprocity_max), "0"),
         row("residual of the solver", error(report.residual), "0"),
     ];
     // No radius is known where columns are missing.

@@ -1,0 +1,54 @@
+//! View factors with their errors: the method's own estimates, made true by a referee where it looks.
+
+use radiosity_audit::{Checked, Effort};
+use radiosity_scene::Scene;
+use radiosity_solve::view_factors::{Options, ViewFactors};
+use radiosity_work::Work;
+
+use crate::judged_factors::JudgedFactors;
+use crate::judging::evenly;
+
+/// Errors of view factors.
+#[derive(Clone, Debug)]
+pub struct CheckedFactors {
+    /// The largest error of a factor in the row of each surface.
+    pub errors: Vec<f64>,
+    /// What the referee found; None where it did not look.
+    pub checked: Option<Checked>,
+}
+
+impl CheckedFactors {
+    /// Most rows that are judged. Chosen: the L2 mean of their factors is known to a tenth of itself.
+    pub const ROWS: usize = 64;
+
+    /// The errors of factors, as far as the method tells.
+    pub fn unjudged(factors: &ViewFactors) -> Self {
+        Self { errors: factors.errors.clone(), checked: None }
+    }
+
+    /// The errors of factors that were computed with `options`, of which the pairs that are `wanted` are judged by
+    /// so much effort, those of some of the surfaces `from`.
+    pub fn judged(
+        scene: &Scene,
+        factors: &ViewFactors,
+        options: &Options,
+        from: &[usize],
+        wanted: &dyn Fn(usize, usize) -> bool,
+        effort: &Effort,
+        work: &Work<'_>,
+    ) -> Self {
+        let rows: Vec<usize> =
+            evenly(from.iter().copied(), from.len(), from.len().min(Self::ROWS), 0).collect();
+        let run = JudgedFactors::of(scene, factors, options, &rows, wanted, effort, work);
+        if run.factors.is_empty() {
+            return Self::unjudged(factors);
+        }
+        let checked = run.checked(&factors.errors);
+        let mut errors: Vec<f64> = factors.errors.iter().map(|own| checked.told(*own, None)).collect();
+        for (reading, factor) in run.factors.iter().enumerate() {
+            let told = checked.told(factors.errors[factor.from], Some(reading));
+            errors[factor.from] = errors[factor.from].max(told);
+        }
+        Self { errors, checked: Some(checked) }
+    }
+}
