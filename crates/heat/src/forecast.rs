@@ -41,15 +41,9 @@ impl<'a> Forecast<'a> {
         if needed <= allowed { Ok(()) } else { Err(HeatError::Conductances { surfaces, needed, allowed }) }
     }
 
-    /// The `orders` for which there is memory; an order below that of the options needs no more than the
-    /// balance itself.
-    pub(super) fn within_memory(&self, orders: &[usize]) -> Vec<usize> {
-        let emitting = all_emit(self.scene, self.roles);
-        let fits = |order: &usize| {
-            let options = Options { order: *order, ..*self.options };
-            let needed = || Model::peak_memory(&emitting, &options, self.ranks);
-            *order < self.options.order || self.options.memory.is_none_or(|allowed| needed() <= allowed)
-        };
-        orders.iter().copied().filter(fits).collect()
+    /// Whether there is memory for the balance of the scene on elements that are `cut` once more.
+    pub(super) fn fits(&self, cut: &Scene) -> bool {
+        let needed = || Model::peak_memory(&all_emit(cut, self.roles), self.options, self.ranks);
+        self.options.memory.is_none_or(|allowed| needed() <= allowed)
     }
 }

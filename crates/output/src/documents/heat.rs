@@ -2,6 +2,7 @@
 
 use std::io::{self, Write};
 
+use radiosity_audit::Checked;
 use radiosity_heat::{Conductances, Heat, SurfaceHeat};
 use serde::Serialize;
 
@@ -72,6 +73,7 @@ pub fn json(heat: &Heat, mut out: impl Write) -> io::Result<()> {
         closure_max: heat.outcome.checks.closure_max,
         reciprocity_max: heat.outcome.checks.reciprocity_max,
         accuracy_reached: heat.outcome.accuracy_reached,
+        checked: heat.checked.as_ref(),
     };
     serde_json::to_writer_pretty(&mut out, &document)?;
     writeln!(out)
@@ -87,6 +89,8 @@ struct Document<'a> {
     closure_max: f64,
     reciprocity_max: f64,
     accuracy_reached: f64,
+    #[serde(flatten)]
+    checked: Option<&'a Checked>,
 }
 
 /// CSV with the names as header and as first column; the last column is the conductance to the surroundings.

@@ -1,0 +1,114 @@
+//! A balance on elements that are cut once more, which tells the error of the one that is printed.
+//!
+//! With the flows Q on elements as they are and Q′ on their quarters, and errors that fall as the power p of the
+//! length of elements,
+//!
+//! ```text
+//! Q − Q_∞ = c (Q − Q′) ,     c = 2ᵖ/(2ᵖ − 1) ,     p = 1 + ⌊N/2⌋
+//! ```
+//!
+//! at the order N. Odd orders count as the even ones below: on a surface that lies symmetrically they add nothing.
+//! Far above the gap of two surfaces errors fall slower, where all is smooth faster; c is then between 1 and 3.
+//!
+//! Where pairs are many, only surfaces are cut on which a part of the irradiance is reflected that varies much,
+//!
+//! ```text
+//! v = ρ Σ (‖h‖² − (h·c)²/c·c)     over the elements of a surface,     h its coefficients, c those of 1 ;
+//! ```
+//!
+//! at order 0 with ‖h‖² for the difference. What they tell counts as their part of Σ v.
+
+use radiosity_core::dot;
+use radiosity_elements::{Elements, cuts};
+use radiosity_scene::Scene;
+use radiosity_solve::{Model, Outcome};
+
+use super::cost::{seconds_of_pairs, seconds_of_run};
+use super::roles::{Role, Roles};
+
+/// Seconds that pairs of elements of the cut may take, by counts: always these, and as a part of what the balance took.
+/// Chosen: small enclosures are cut as a whole, and no balance takes much longer for its error.
+const LEAST: f64 = 0.5;
+const OF_A_RUN: f64 = 2.0;
+
+/// Elements that are cut once more.
+#[derive(Debug)]
+pub(super) struct Cut {
+    /// The scene with surfaces of so many elements.
+    pub(super) scene: Scene,
+    /// Whether all surfaces are cut.
+    pub(super) is_whole: bool,
+    /// The factor of differences that makes them errors: c, and what surfaces that are left whole add.
+    pub(super) factor: f64,
+}
+
+impl Cut {
+    /// The cut of the elements of a model, whose `outcome` it tells the error of; None where there is no time for it.
+    pub(super) fn of(scene: &Scene, roles: &Roles, model: &Model, outcome: &Outcome) -> Option<Self> {
+        let elements = model.elements();
+        let varied = variations(elements, roles, outcome);
+        let chosen = chosen(&varied, elements, most_elements(elements, outcome));
+        let part: f64 = chosen.iter().map(|surface| varied[*surface]).sum();
+        let all: f64 = varied.iter().sum();
+        let parts = cuts(scene, elements.discretization());
+        let mut cut = scene.clone();
+        for (own, parts) in cut.surfaces.iter_mut().zip(&parts) {
+            own.subdivide = Some(*parts);
+        }
+        for surface in &chosen {
+            cut.surfaces[*surface].subdivide = Some(parts[*surface].map(|parts| 2 * parts));
+        }
+        let left_out = if part > 0.0 { all / part } else { 1.0 };
+        let is_whole = chosen.len() == varied.len();
+        (!chosen.is_empty()).then(|| Self { scene: cut, is_whole, factor: convergence(elements) * left_out })
+    }
+}
+
+/// c of the lowest order of any element.
+fn convergence(elements: &Elements) -> f64 {
+    let order = elements.list().iter().map(|element| element.basis.order()).min().unwrap_or(0);
+    let ratio = 2f64.powi(1 + (order / 2) as i32);
+    ratio / (ratio - 1.0)
+}
+
+/// v of each surface.
+fn variations(elements: &Elements, roles: &Roles, outcome: &Outcome) -> Vec<f64> {
+    let mut varied = vec![0.0; elements.surfaces()];
+    let mut rest: &[f64] = &outcome.solution.bands()[0].coefficients.irradiance;
+    for element in elements.list() {
+        let (own, others) = rest.split_at(element.constant.len());
+        let mean = match own.len() {
+            1 => 0.0,
+            _ => dot(&element.constant, own).powi(2) / dot(&element.constant, &element.constant),
+        };
+        varied[element.surface] += reflected(&roles.list[element.surface]) * (dot(own, own) - mean).max(0.0);
+        rest = others;
+    }
+    varied
+}
+
+/// ρ of the balance.
+fn reflected(role: &Role) -> f64 {
+    match *role {
+        Role::Temperature { emissivity, .. } | Role::Shield { emissivity, .. } => 1.0 - emissivity,
+        Role::Flux { .. } => 1.0,
+    }
+}
+
+/// Elements of a cut that there is time for: pairs take as long as before, each.
+fn most_elements(elements: &Elements, outcome: &Outcome) -> f64 {
+    let time = LEAST.max(OF_A_RUN * seconds_of_run(outcome));
+    elements.list().len() as f64 * (time / seconds_of_pairs(outcome)).sqrt()
+}
+
+/// The surfaces that are cut: those of large v first, as many as make no more than so many elements.
+fn chosen(varied: &[f64], elements: &Elements, most: f64) -> Vec<usize> {
+    let mut order: Vec<usize> = (0..varied.len()).collect();
+    order.sort_by(|a, b| varied[*b].total_cmp(&varied[*a]).then(a.cmp(b)));
+    let mut count = elements.list().len() as f64;
+    let fits = |surface: &usize| {
+        count += 3.0 * elements.of_surface(*surface).len() as f64;
+        count <= most
+    };
+    order.into_iter().take_while(fits).collect()
+}
