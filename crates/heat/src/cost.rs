@@ -15,9 +15,14 @@ const SAMPLE: f64 = 2e-7;
 const RAY: f64 = 1.5e-6;
 const NUMBER: f64 = 1e-9;
 
+/// Seconds of so many terms of the kernel's rules.
+pub(super) fn seconds_of_samples(samples: f64) -> f64 {
+    SAMPLE * samples
+}
+
 /// Seconds of the kernel's rules.
 pub(super) fn seconds_of_pairs(outcome: &Outcome) -> f64 {
-    SAMPLE * outcome.samples as f64
+    seconds_of_samples(outcome.samples as f64)
 }
 
 /// Seconds of the whole.

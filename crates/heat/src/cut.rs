@@ -8,7 +8,8 @@
 //! ```
 //!
 //! at the order N. Odd orders count as the even ones below: on a surface that lies symmetrically they add nothing.
-//! Far above the gap of two surfaces errors fall slower, where all is smooth faster; c is then between 1 and 3.
+//! Neither do its quarters at order 0, which are alike: they carry order 2 at least, and p is 2 at least. Far above the
+//! gap of two surfaces errors fall slower, where all is smooth faster; c is then between 1 and 2.
 //!
 //! Where pairs are many, only surfaces are cut on which a part of the irradiance is reflected that varies much,
 //!
@@ -16,26 +17,38 @@
 //! v = ρ Σ (‖h‖² − (h·c)²/c·c)     over the elements of a surface,     h its coefficients, c those of 1 ;
 //! ```
 //!
-//! at order 0 with ‖h‖² for the difference. What they tell counts as their part of Σ v.
+//! at order 0 with ‖h‖² for the difference. What they tell counts as their part of Σ v. Pairs of n′ elements instead of
+//! n take about
+//!
+//! ```text
+//! near √(n′/n) + far (n′/n)²     seconds,     far = ½ n² (N + 1)⁴ terms ,
+//! ```
+//!
+//! as rules cut near elements by themselves.
 
 use radiosity_core::dot;
 use radiosity_elements::{Elements, cuts};
 use radiosity_scene::Scene;
 use radiosity_solve::{Model, Outcome};
 
-use super::cost::{seconds_of_pairs, seconds_of_run};
+use super::cost::{seconds_of_pairs, seconds_of_run, seconds_of_samples};
 use super::roles::{Role, Roles};
 
 /// Seconds that pairs of elements of the cut may take, by counts: always these, and as a part of what the balance took.
 /// Chosen: small enclosures are cut as a whole, and no balance takes much longer for its error.
 const LEAST: f64 = 0.5;
-const OF_A_RUN: f64 = 2.0;
+const OF_A_RUN: f64 = 2.5;
+
+/// Least order of the quarters. Chosen: the least that tells more than order 0 where all is symmetrical.
+const LEAST_ORDER: usize = 2;
 
 /// Elements that are cut once more.
 #[derive(Debug)]
 pub(super) struct Cut {
     /// The scene with surfaces of so many elements.
     pub(super) scene: Scene,
+    /// The order of the elements.
+    pub(super) order: usize,
     /// Whether all surfaces are cut.
     pub(super) is_whole: bool,
     /// The factor of differences that makes them errors: c, and what surfaces that are left whole add.
@@ -46,27 +59,39 @@ impl Cut {
     /// The cut of the elements of a model, whose `outcome` it tells the error of; None where there is no time for it.
     pub(super) fn of(scene: &Scene, roles: &Roles, model: &Model, outcome: &Outcome) -> Option<Self> {
         let elements = model.elements();
+        let order = elements.discretization().order.max(LEAST_ORDER);
         let varied = variations(elements, roles, outcome);
-        let chosen = chosen(&varied, elements, most_elements(elements, outcome));
+        let chosen = chosen(&varied, elements, Time::of(elements, order, outcome));
+        if chosen.is_empty() {
+            return None;
+        }
         let part: f64 = chosen.iter().map(|surface| varied[*surface]).sum();
         let all: f64 = varied.iter().sum();
-        let parts = cuts(scene, elements.discretization());
-        let mut cut = scene.clone();
-        for (own, parts) in cut.surfaces.iter_mut().zip(&parts) {
-            own.subdivide = Some(*parts);
-        }
-        for surface in &chosen {
-            cut.surfaces[*surface].subdivide = Some(parts[*surface].map(|parts| 2 * parts));
-        }
         let left_out = if part > 0.0 { all / part } else { 1.0 };
         let is_whole = chosen.len() == varied.len();
-        (!chosen.is_empty()).then(|| Self { scene: cut, is_whole, factor: convergence(elements) * left_out })
+        let scene = refined(scene, elements, &chosen);
+        Some(Self { scene, order, is_whole, factor: convergence(elements) * left_out })
     }
+}
+
+/// The scene with the surfaces `chosen` in quarters of the elements that they have, and all others in these.
+fn refined(scene: &Scene, elements: &Elements, chosen: &[usize]) -> Scene {
+    let mut refined = scene.clone();
+    for (own, parts) in refined.surfaces.iter_mut().zip(cuts(scene, elements.discretization())) {
+        own.order = own.order.map(|order| order.max(LEAST_ORDER));
+        own.subdivide = Some(parts);
+    }
+    for surface in chosen {
+        let parts = &mut refined.surfaces[*surface].subdivide;
+        *parts = parts.map(|parts| parts.map(|along| 2 * along));
+    }
+    refined
 }
 
 /// c of the lowest order of any element.
 fn convergence(elements: &Elements) -> f64 {
-    let order = elements.list().iter().map(|element| element.basis.order()).min().unwrap_or(0);
+    let orders = elements.list().iter().map(|element| element.basis.order());
+    let order = orders.min().unwrap_or(0).max(LEAST_ORDER);
     let ratio = 2f64.powi(1 + (order / 2) as i32);
     ratio / (ratio - 1.0)
 }
@@ -95,20 +120,45 @@ fn reflected(role: &Role) -> f64 {
     }
 }
 
-/// Elements of a cut that there is time for: pairs take as long as before, each.
-fn most_elements(elements: &Elements, outcome: &Outcome) -> f64 {
-    let time = LEAST.max(OF_A_RUN * seconds_of_run(outcome));
-    elements.list().len() as f64 * (time / seconds_of_pairs(outcome)).sqrt()
+/// Time for the pairs of a cut, in seconds by counts.
+#[derive(Clone, Copy, Debug)]
+struct Time {
+    elements: f64,
+    /// Terms of the rules of a pair that is far apart, on elements of the cut.
+    terms: f64,
+    near: f64,
+    most: f64,
 }
 
-/// The surfaces that are cut: those of large v first, as many as make no more than so many elements.
-fn chosen(varied: &[f64], elements: &Elements, most: f64) -> Vec<usize> {
+impl Time {
+    /// The time for elements of this order.
+    fn of(elements: &Elements, order: usize, outcome: &Outcome) -> Self {
+        let count = elements.list().len() as f64;
+        let terms = |order: usize| 0.5 * ((order + 1) as f64).powi(4);
+        let far = seconds_of_samples(count * count * terms(elements.discretization().order));
+        Self {
+            elements: count,
+            terms: terms(order),
+            near: (seconds_of_pairs(outcome) - far).max(0.0),
+            most: LEAST.max(OF_A_RUN * seconds_of_run(outcome)),
+        }
+    }
+
+    /// Whether there is time for so many elements.
+    fn suffices(&self, elements: f64) -> bool {
+        let far = seconds_of_samples(elements * elements * self.terms);
+        self.near * (elements / self.elements).sqrt() + far <= self.most
+    }
+}
+
+/// The surfaces that are cut: those of large v first, as many as there is time for.
+fn chosen(varied: &[f64], elements: &Elements, time: Time) -> Vec<usize> {
     let mut order: Vec<usize> = (0..varied.len()).collect();
     order.sort_by(|a, b| varied[*b].total_cmp(&varied[*a]).then(a.cmp(b)));
-    let mut count = elements.list().len() as f64;
+    let mut count = time.elements;
     let fits = |surface: &usize| {
         count += 3.0 * elements.of_surface(*surface).len() as f64;
-        count <= most
+        time.suffices(count)
     };
     order.into_iter().take_while(fits).collect()
 }

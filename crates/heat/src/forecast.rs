@@ -12,6 +12,7 @@ use radiosity_work::ranks::Ranks;
 
 use super::coats::all_emit;
 use super::conductances::each_alone;
+use super::cut::Cut;
 use super::error::HeatError;
 use super::roles::Roles;
 
@@ -42,8 +43,9 @@ impl<'a> Forecast<'a> {
     }
 
     /// Whether there is memory for the balance of the scene on elements that are `cut` once more.
-    pub(super) fn fits(&self, cut: &Scene) -> bool {
-        let needed = || Model::peak_memory(&all_emit(cut, self.roles), self.options, self.ranks);
+    pub(super) fn fits(&self, cut: &Cut) -> bool {
+        let options = Options { order: cut.order, ..*self.options };
+        let needed = || Model::peak_memory(&all_emit(&cut.scene, self.roles), &options, self.ranks);
         self.options.memory.is_none_or(|allowed| needed() <= allowed)
     }
 }

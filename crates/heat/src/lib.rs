@@ -22,8 +22,8 @@
 //!
 //! In order: [`HeatError`], `black_body`, `roles` (what is known of each surface), `coats` (scenes with the
 //! coatings of heat), `closure` (rows that sum to 1), `levels`, `figures` (of each surface), `field` (σ T⁴
-//! over surfaces), `shields`, `conductances`, `forecast`, `cost` (seconds from counts), `cut` (elements that tell the
-//! error), [`Heat`], the balance, [`judging`], what a referee says of it, and `checking`, its errors made true by that.
+//! over surfaces), `shields`, `conductances`, `cost` (seconds from counts), `cut` (elements that tell the
+//! error), `forecast`, [`Heat`], the balance, [`judging`], what a referee says of it, and `checking`, its errors made true by that.
 //!
 //! Imports `core`, `geom`, `solvers`, `work`, `scene`, `audit`, `visibility`, `elements`, `kernel` and `solve`.
 
@@ -37,9 +37,9 @@ mod figures;
 mod field;
 mod shields;
 mod conductances;
-mod forecast;
 mod cost;
 mod cut;
+mod forecast;
 pub mod judging;
 mod checking;
 
@@ -137,7 +137,7 @@ impl Heat {
             let conductances =
                 || options.in_threads(work.ranks, || Conductances::of(scene, &roles, &model, work))?;
             let conductances = wanted.conductances.then(conductances).transpose()?;
-            let cut = Cut::of(scene, &roles, &model, &outcome).filter(|cut| forecast.fits(&cut.scene));
+            let cut = Cut::of(scene, &roles, &model, &outcome).filter(|cut| forecast.fits(cut));
             (surfaces, outcome, closure, conductances, cut)
         };
         let mut heat = Self {
@@ -171,7 +171,8 @@ impl Heat {
         options: &Options,
         work: &Work<'_>,
     ) -> Result<(), HeatError> {
-        let outcome = solved(&cut.scene, roles, options, work)?.outcome;
+        let options = Options { order: cut.order, ..*options };
+        let outcome = solved(&cut.scene, roles, &options, work)?.outcome;
         let others = figures(&cut.scene, roles, &outcome)?;
         let by_rays = self.outcome.sampling.and_then(|sampling| sampling.error).unwrap_or(0.0);
         let least = match cut.is_whole {
