@@ -5,7 +5,7 @@ use radiosity_elements::Elements;
 use radiosity_scene::Scene;
 use radiosity_solve::Outcome;
 
-use super::black_body::{STEFAN_BOLTZMANN, kelvin};
+use super::black_body::{STEFAN_BOLTZMANN, kelvin, level};
 use super::error::HeatError;
 use super::roles::{Role, Roles};
 
@@ -120,11 +120,16 @@ pub(super) fn add_errors(surfaces: &mut [SurfaceHeat], others: &[SurfaceHeat], s
     }
 }
 
-/// The part of itself by which the irradiance of half of the surfaces differs less between two balances.
+/// The part of the irradiance by which half of the flows and levels that are found differ less between two balances.
 pub(super) fn difference(surfaces: &[SurfaceHeat], others: &[SurfaceHeat]) -> f64 {
-    let pairs = surfaces.iter().zip(others).filter(|(own, _)| own.irradiance > 0.0);
-    let mut parts: Vec<f64> =
-        pairs.map(|(own, other)| (own.irradiance - other.irradiance).abs() / own.irradiance).collect();
+    let part = |(own, other): (&SurfaceHeat, &SurfaceHeat)| {
+        let found = match own.is_temperature_known {
+            true => (own.flux - other.flux) / own.emissivity.unwrap_or(1.0),
+            false => level(own.temperature) - level(other.temperature),
+        };
+        (own.irradiance > 0.0).then(|| found.abs() / own.irradiance)
+    };
+    let mut parts: Vec<f64> = surfaces.iter().zip(others).filter_map(part).collect();
     parts.sort_by(f64::total_cmp);
     parts.get(parts.len() / 2).copied().unwrap_or(0.0)
 }

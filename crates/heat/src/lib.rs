@@ -53,7 +53,7 @@ pub use black_body::{STEFAN_BOLTZMANN, kelvin};
 use closure::{Closure, close};
 use coats::{all_emit, at_levels, radiant};
 pub use conductances::Conductances;
-use cut::Cut;
+use cut::{COARSER, Cut};
 pub use error::HeatError;
 pub use figures::SurfaceHeat;
 use figures::{add_errors, add_errors_of_blocks, difference, figures};
@@ -63,6 +63,9 @@ use roles::Roles;
 /// Largest share of the heat exchanged that may be lost in a scene that counts as closed. An arbitrary
 /// choice: with a larger value leaks go untold, with a smaller one errors of the transfers count as leaks.
 const CLOSED: f64 = 1e-3;
+
+/// Accuracy of transfers beyond which none is asked for. Chosen: a coarser one tells nothing.
+const LARGEST_EPS: f64 = 0.1;
 
 /// The balance of heat of a scene.
 #[derive(Debug)]
@@ -171,7 +174,8 @@ impl Heat {
         options: &Options,
         work: &Work<'_>,
     ) -> Result<(), HeatError> {
-        let options = Options { order: cut.order, ..*options };
+        let [eps, shadow_eps] = [options.eps, options.shadow_eps].map(|own| (COARSER * own).min(LARGEST_EPS));
+        let options = Options { order: cut.order, eps, shadow_eps, ..*options };
         let outcome = solved(&cut.scene, roles, &options, work)?.outcome;
         let others = figures(&cut.scene, roles, &outcome)?;
         let by_rays = self.outcome.sampling.and_then(|sampling| sampling.error).unwrap_or(0.0);
