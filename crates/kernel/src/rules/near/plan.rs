@@ -225,14 +225,7 @@ pub(super) fn split_cost(p: &Patch, q: &Patch, degrees: [usize; 2], eps: f64, li
 }
 
 /// As [`split_cost`], with at most so many halvings, one inside the other.
-fn cost_of_halves(
-    p: &Patch,
-    q: &Patch,
-    degrees: [usize; 2],
-    eps: f64,
-    limit: f64,
-    halvings: u32,
-) -> f64 {
+fn cost_of_halves(p: &Patch, q: &Patch, degrees: [usize; 2], eps: f64, limit: f64, halvings: u32) -> f64 {
     let gap = gap(p, q);
     if gap == 0.0 || halvings == 0 {
         return f64::INFINITY;
