@@ -15,7 +15,8 @@ class Heat(Kept):
     """Temperatures and flows of radiant heat of n surfaces; arrays are of shape (n,). It pickles."""
 
     _FOUND = ("temperature", "temperature_error", "flux", "power", "power_error", "radiosity", "irradiance")
-    _KEPT = ("names", "areas", "emissivity", *_FOUND, "lost", "is_closed", "conductances", "surroundings", "remarks")
+    _CHECKED = ("error", "error_sd", "own_error", "error_factor", "checked")
+    _KEPT = ("names", "areas", "emissivity", *_FOUND, "lost", "is_closed", "conductances", "surroundings", *_CHECKED, "remarks")
 
     def __init__(self, native: _radiosity.Heat) -> None:
         self._native: _radiosity.Heat = native
@@ -89,6 +90,31 @@ class Heat(Kept):
     def surroundings(self) -> Array | None:
         """Conductances to the surroundings (m²), with `conductances=True`."""
         return self._native.surroundings
+
+    @property
+    def error(self) -> float | None:
+        """Relative error of all surfaces together that path tracing found, 0 where it saw none; None where it cannot read them."""
+        return self._native.error
+
+    @property
+    def error_sd(self) -> float | None:
+        """Standard error of `error`."""
+        return self._native.error_sd
+
+    @property
+    def own_error(self) -> float | None:
+        """Relative error by the balance's own estimates, before they were multiplied by `error_factor`."""
+        return self._native.own_error
+
+    @property
+    def error_factor(self) -> float | None:
+        """Factor of at least 1 that makes the errors of temperatures and flows as large as what path tracing found."""
+        return self._native.error_factor
+
+    @property
+    def checked(self) -> str | None:
+        """What path tracing found, in a line, as `radiosity heat` tells it."""
+        return self._native.checked
 
     @property
     def remarks(self) -> list[str]:

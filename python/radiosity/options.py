@@ -356,6 +356,10 @@ class HeatMethod(Transfers, total=False):
     memory: int or str
         Most memory to use, such as 500M, 2G or 2GiB [default: 80 % of what is free].
 
+    audit: float
+        Seconds that about two threads take to check what is printed by path tracing; the number of rays follows from this and from
+        counts of the scene [default: a tenth of the run, 0.1 to 5].
+
     conductances: bool
         Whether the conductances between all surfaces are wanted.
     """
@@ -364,4 +368,5 @@ class HeatMethod(Transfers, total=False):
     transport: Literal["auto", "exact", "sampled"]
     solver: str
     memory: int | str
+    audit: float
     conductances: bool

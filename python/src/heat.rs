@@ -3,11 +3,14 @@
 use numpy::PyArrayDyn;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
+use radiosity::audit::Checked;
 use radiosity::heat as library;
 use radiosity::heat::SurfaceHeat;
 use radiosity::kernel::WorstError;
-use radiosity::reading::accuracy_warning::{corrected, missed, no_error_of_order};
-use radiosity::request::{HeatRequest, TransferRequest};
+use radiosity::reading::accuracy_warning::{
+    corrected, heat_unchecked, heat_underestimated, missed, no_error_of_cut,
+};
+use radiosity::request::{CheckRequest, HeatRequest, TransferRequest};
 use radiosity::work::Work;
 use radiosity::work::ranks::Ranks;
 
@@ -36,13 +39,17 @@ pub(crate) fn heat_of(
     let transfers: TransferRequest = given.fields()?;
     let conductances = given.flag("conductances")?;
     let request: HeatRequest = given.fields()?;
+    let check: CheckRequest = given.fields()?;
     given.finish("heat")?;
-    let heat = work(py, observer.as_ref(), |progress| {
-        library::Heat::of(
-            &scene.scene,
-            &request.options(&transfers, conductances, Ranks::alone()),
-            &Work::alone().observed_by(progress),
-        )
+    let (heat, unchecked) = work(py, observer.as_ref(), |progress| {
+        let options = request.options(&transfers, conductances, Ranks::alone());
+        let work = Work::alone().observed_by(progress);
+        let mut heat = library::Heat::of(&scene.scene, &options, &work)?;
+        let surfaces = heat.to_check(&scene.scene, CheckRequest::READINGS);
+        let effort = check.effort(heat.seconds(), surfaces.len(), &scene.scene);
+        let checked = || heat.check(&scene.scene, &surfaces, &effort, &work);
+        let checked = options.options.in_threads(work.ranks, checked)?;
+        Ok::<_, library::HeatError>((heat, checked.err()))
     })?;
     if let Some(worst) = heat.outcome.worst_error.filter(WorstError::is_real) {
         let surface = |element: usize| heat.outcome.solution.elements().list()[element].surface;
@@ -51,11 +58,15 @@ pub(crate) fn heat_of(
             &missed(&worst, worst.pair.map(|element| scene.scene.surfaces[surface(element)].name.as_str())),
         )?;
     }
-    if heat.error_orders.is_empty() {
-        warn(py, &no_error_of_order(request.order()))?;
+    if !heat.is_cut {
+        warn(py, &no_error_of_cut())?;
+    }
+    if let Some(found) = heat.checked.as_ref().and_then(heat_underestimated) {
+        warn(py, &found)?;
     }
     let moved = heat.moved.map(corrected);
-    let remarks = remarks(&scene.scene).into_iter().chain(moved).collect();
+    let unchecked = unchecked.as_ref().map(heat_unchecked);
+    let remarks = remarks(&scene.scene).into_iter().chain(moved).chain(unchecked).collect();
     Ok(Heat { heat, remarks })
 }
 
@@ -126,6 +137,33 @@ impl Heat {
     #[getter]
     fn is_closed(&self) -> bool {
         self.heat.is_closed()
+    }
+
+    /// Relative error of all surfaces together that path tracing found; None where it cannot read them.
+    #[getter]
+    fn error(&self) -> Option<f64> {
+        self.heat.checked.as_ref().map(|checked| checked.error)
+    }
+
+    #[getter]
+    fn error_sd(&self) -> Option<f64> {
+        self.heat.checked.as_ref().map(|checked| checked.error_sd)
+    }
+
+    #[getter]
+    fn own_error(&self) -> Option<f64> {
+        self.heat.checked.as_ref().map(|checked| checked.own_error)
+    }
+
+    #[getter]
+    fn error_factor(&self) -> Option<f64> {
+        self.heat.checked.as_ref().map(|checked| checked.error_factor)
+    }
+
+    /// The line of the command's summary.
+    #[getter]
+    fn checked(&self) -> Option<String> {
+        self.heat.checked.as_ref().map(Checked::to_string)
     }
 
     /// Remarks on the reading of the scene, and on the correction of the transfers.

@@ -175,6 +175,15 @@ def test_heat_is_that_of_the_command(command, tmp_path: Path):
     assert np.array_equal(heat.surroundings, theirs["surroundings"])
 
 
+def test_the_check_of_heat_is_that_of_the_command(command, tmp_path: Path):
+    command("heat", "oven", "--order", "2", "-o", "heat.json", "--audit", "0.2", "-q")
+    theirs = json.loads((tmp_path / "heat.json").read_text())
+    heat = radiosity.load("oven").heat(order=2, audit=0.2)
+    assert (heat.error, heat.error_sd) == (theirs["error"], theirs["error_sd"])
+    assert (heat.own_error, heat.error_factor) == (theirs["own_error"], theirs["error_factor"])
+    assert heat.checked is not None and heat.checked.startswith("checked at 7 surfaces by path tracing")
+
+
 def test_solutions_are_dimmed_and_kept_as_by_the_command(command, tmp_path: Path):
     scene = radiosity.Scene(bands=["red", "blue"])
     wall = scene.material("wall", reflectance=[0.5, 0.2])

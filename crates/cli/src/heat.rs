@@ -6,11 +6,14 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use clap::{Args, ValueEnum};
+use radiosity_audit::{Checked, HeatFault};
 use radiosity_heat::Heat;
 use radiosity_kernel::WorstError;
 use radiosity_output::documents::heat as output;
-use radiosity_reading::accuracy_warning::{corrected, missed, no_error_of_order};
-use radiosity_request::HeatRequest;
+use radiosity_reading::accuracy_warning::{
+    corrected, heat_unchecked, heat_underestimated, missed, no_error_of_cut,
+};
+use radiosity_request::{CheckRequest, HeatRequest};
 use radiosity_scene::Scene;
 use radiosity_work::digits::significant;
 use radiosity_work::ranks::Ranks;
@@ -46,6 +49,9 @@ are left out; where they are known, they are a heat_flux.";
     mut_arg("eps", |eps| eps.help("Accuracy of the transfers between elements, between 0 and 1 [default: 1e-4]")),
     mut_arg("subdivide", |cuts| {
         cuts.help("Cuts each surface into K × K elements; auto looks at what the scene needs [default: auto]")
+    }),
+    mut_arg("strict", |strict| {
+        strict.help("Ends with exit code 3 where path tracing finds more than the balance tells; refuses a scene of another program that needs repairs")
     }),
     after_help = NOTES
 )]
@@ -112,7 +118,10 @@ pub(crate) fn run(args: &HeatArgs, given: &TypedOptions, ranks: &Ranks) -> Resul
         }
     };
     let options = args.request.options(&args.transfers.request, args.conductances.is_some(), ranks);
-    let heat = Heat::of(&scene, &options, &Work::among(ranks).observed_by(&show))?;
+    let work = Work::among(ranks).observed_by(&show);
+    let mut heat = Heat::of(&scene, &options, &work)?;
+    let checked = || check(&mut heat, &scene, &args.transfers.check, &work);
+    let unchecked = options.options.in_threads(ranks, checked)?.err();
     files.write(&heat)?;
     if let Some(picture) = files.picture {
         let visibility = options.options.visibility(&scene);
@@ -124,8 +133,27 @@ pub(crate) fn run(args: &HeatArgs, given: &TypedOptions, ranks: &Ranks) -> Resul
     let elapsed = start.elapsed().as_secs_f64();
     let first = vec![format!("{}: {} surfaces, {elapsed:.3} s", scene.name, heat.surfaces.len())];
     let written = args.output.iter().chain(&args.conductances).chain(&args.picture.picture);
-    args.transfers.tell(first, &scene, args.findings(&scene, &heat), written, ranks);
-    Ok(())
+    let findings = findings(&scene, &heat, unchecked.as_ref());
+    args.transfers.tell(first, &scene, findings, written, ranks);
+    match heat.checked.as_ref().filter(|checked| args.scene.strict && checked.finds_more()) {
+        Some(checked) => Err(CliError::FoundMore { what: "the heat is", told: checked.own_error }),
+        None => Ok(()),
+    }
+}
+
+/// Lets a referee make the errors of a balance true.
+///
+/// # Errors
+/// Heat that no referee can read.
+pub(crate) fn check(
+    heat: &mut Heat,
+    scene: &Scene,
+    request: &CheckRequest,
+    work: &Work<'_>,
+) -> Result<(), HeatFault> {
+    let surfaces = heat.to_check(scene, CheckRequest::READINGS);
+    let effort = request.effort(heat.seconds(), surfaces.len(), scene);
+    heat.check(scene, &surfaces, &effort, work)
 }
 
 /// The files of a balance, reserved before the work.
@@ -171,36 +199,39 @@ impl<'a> HeatFiles<'a> {
     }
 }
 
-impl HeatArgs {
-    /// The lines of the summary on the balance.
-    fn findings(&self, scene: &Scene, heat: &Heat) -> Vec<String> {
-        let sum = |sign: f64| -> f64 { heat.surfaces.iter().map(|own| (sign * own.flow).max(0.0)).sum() };
-        let (given, taken) = (sum(1.0), sum(-1.0));
-        let whole = if !heat.is_closed() {
-            format!("{} W leave the scene, to surroundings at 0 K", significant(heat.lost, 6))
-        } else {
-            format!("the scene is closed: the flows sum to {:.1e} W", heat.lost)
-        };
-        let mut lines: Vec<String> = heat.moved.map(corrected).into_iter().collect();
+/// The lines of the summary on the balance, which no referee may have been able to read.
+fn findings(scene: &Scene, heat: &Heat, unchecked: Option<&HeatFault>) -> Vec<String> {
+    let sum = |sign: f64| -> f64 { heat.surfaces.iter().map(|own| (sign * own.flow).max(0.0)).sum() };
+    let (given, taken) = (sum(1.0), sum(-1.0));
+    let whole = if !heat.is_closed() {
+        format!("{} W leave the scene, to surroundings at 0 K", significant(heat.lost, 6))
+    } else {
+        format!("the scene is closed: the flows sum to {:.1e} W", heat.lost)
+    };
+    let mut lines: Vec<String> = heat.moved.map(corrected).into_iter().collect();
+    lines.push(format!(
+        "surfaces send out {} W and take up {} W; {whole}",
+        significant(given, 6),
+        significant(taken, 6)
+    ));
+    if let Some(conductances) = &heat.conductances {
         lines.push(format!(
-            "surfaces send out {} W and take up {} W; {whole}",
-            significant(given, 6),
-            significant(taken, 6)
+            "conductances: C_ij and C_ji differ by {:.1e} of ε A at the most; their means are written",
+            conductances.asymmetry
         ));
-        if let Some(conductances) = &heat.conductances {
-            lines.push(format!(
-                "conductances: C_ij and C_ji differ by {:.1e} of ε A at the most; their means are written",
-                conductances.asymmetry
-            ));
-        }
-        if let Some(worst) = heat.outcome.worst_error.filter(WorstError::is_real) {
-            let surface = |element: usize| heat.outcome.solution.elements().list()[element].surface;
-            let names = worst.pair.map(|element| scene.surfaces[surface(element)].name.as_str());
-            lines.push(format!("warning: {}", missed(&worst, names)));
-        }
-        if heat.error_orders.is_empty() {
-            lines.push(format!("warning: {}", no_error_of_order(self.request.order())));
-        }
-        lines
     }
+    if let Some(worst) = heat.outcome.worst_error.filter(WorstError::is_real) {
+        let surface = |element: usize| heat.outcome.solution.elements().list()[element].surface;
+        let names = worst.pair.map(|element| scene.surfaces[surface(element)].name.as_str());
+        lines.push(format!("warning: {}", missed(&worst, names)));
+    }
+    lines.extend(heat.checked.as_ref().map(Checked::to_string));
+    lines.extend(unchecked.map(heat_unchecked));
+    if let Some(found) = heat.checked.as_ref().and_then(heat_underestimated) {
+        lines.push(format!("warning: {found}"));
+    }
+    if !heat.is_cut {
+        lines.push(format!("warning: {}", no_error_of_cut()));
+    }
+    lines
 }

@@ -16,7 +16,7 @@ use radiosity_solve::Options;
 use radiosity_work::ranks::Ranks;
 use radiosity_work::{Progress as Event, Stage, Work};
 
-use crate::{console, error::CliError, loaded::Loaded, progress::Progress, run::RunArgs};
+use crate::{console, error::CliError, heat::check, loaded::Loaded, progress::Progress, run::RunArgs};
 pub(crate) use args::ReportPageArgs;
 use light::ReportLight;
 use report_files::ReportFiles;
@@ -88,7 +88,12 @@ fn heat(args: &ReportPageArgs, scene: &Scene, progress: &Progress, ranks: &Ranks
     let threads = args.run.method.threads.map_or(usual.options.threads, Threads::count);
     let memory = allowed(args.run.method.memory, ranks);
     let wanted = HeatOptions { options: Options { memory, threads, ..usual.options }, ..usual };
-    Heat::of(scene, &wanted, &Work::among(ranks).observed_by(&show))
+    let work = Work::among(ranks).observed_by(&show);
+    let mut balance = Heat::of(scene, &wanted, &work)?;
+    let checked = || check(&mut balance, scene, &args.run.check, &work);
+    // Heat that no referee can read keeps the errors that it has.
+    let _ = wanted.options.in_threads(ranks, checked)?;
+    Ok(balance)
 }
 
 /// The balance, or the error of the scene that the report tells; failures of the solver end the command.

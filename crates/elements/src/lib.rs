@@ -54,7 +54,7 @@ pub use fault::ElementError;
 use mesh::{CellRefinement, Mesh, Tree};
 use patch::Patch;
 use resolution::Resolution;
-pub use resolution::{shares, usual_mesh};
+pub use resolution::{cuts, shares, usual_mesh};
 use space::Space;
 
 /// All elements of a scene, surface by surface.

@@ -94,6 +94,12 @@ pub fn usual_mesh(scene: &Scene, how: &Discretization) -> Mesh {
     Mesh::new(scene.surfaces.iter().enumerate().map(tree).collect())
 }
 
+/// Elements along u and v of each surface that is cut as `how` says, layers apart.
+pub fn cuts(scene: &Scene, how: &Discretization) -> Vec<[usize; 2]> {
+    let resolution = Resolution::new(scene, how);
+    scene.surfaces.iter().enumerate().map(|(index, surface)| resolution.parts(index, surface)).collect()
+}
+
 /// Most elements along each direction for the sake of emission that varies: 64 in all. With more each emitter
 /// takes longer, with fewer its light is off farther from it.
 const MOST_OF_EMITTER: usize = 8;

@@ -5,7 +5,7 @@ use radiosity_elements::Elements;
 use radiosity_scene::Scene;
 use radiosity_solve::Outcome;
 
-use super::black_body::{STEFAN_BOLTZMANN, kelvin};
+use super::black_body::{STEFAN_BOLTZMANN, kelvin, level};
 use super::error::HeatError;
 use super::roles::{Role, Roles};
 
@@ -108,31 +108,51 @@ pub(super) fn figures(
     if surfaces.is_empty() { Ok(all) } else { Err(HeatError::TooCold { surfaces }) }
 }
 
-/// Adds the errors that blocks of the accuracy `eps` leave in the irradiance of each surface.
-pub(super) fn add_errors_of_blocks(surfaces: &mut [SurfaceHeat], eps: f64) {
-    for own in surfaces {
-        add_error(own, eps * own.irradiance.abs());
-    }
-}
-
-/// Makes the errors as large as `share` of the differences from what another order found.
-pub(super) fn add_errors_of_order(surfaces: &mut [SurfaceHeat], other: &[SurfaceHeat], share: f64) {
-    for (own, other) in surfaces.iter_mut().zip(other) {
+/// Makes the errors `share` times the differences from what a balance on other elements found, and those of an
+/// irradiance that is off by the part `least` of itself at the least.
+pub(super) fn add_errors(surfaces: &mut [SurfaceHeat], others: &[SurfaceHeat], share: f64, least: f64) {
+    for (own, other) in surfaces.iter_mut().zip(others) {
+        add_errors_of_irradiance(own, least * own.irradiance.abs());
         let flow = if own.is_flow_known { 0.0 } else { share * (own.flow - other.flow).abs() };
         own.flow_error = own.flow_error.max(flow);
-        own.temperature_error =
-            own.temperature_error.max(share * (own.temperature - other.temperature).abs());
+        let temperature = share * (own.temperature - other.temperature).abs();
+        own.temperature_error = own.temperature_error.max(temperature);
     }
 }
 
-/// Adds the error of flow and temperature that follows from one of the irradiance (W m⁻²).
-fn add_error(own: &mut SurfaceHeat, irradiance: f64) {
+/// The part of the irradiance by which half of the flows and levels that are found differ less between two balances.
+pub(super) fn difference(surfaces: &[SurfaceHeat], others: &[SurfaceHeat]) -> f64 {
+    let part = |(own, other): (&SurfaceHeat, &SurfaceHeat)| {
+        let found = match own.is_temperature_known {
+            true => (own.flux - other.flux) / own.emissivity.unwrap_or(1.0),
+            false => level(own.temperature) - level(other.temperature),
+        };
+        (own.irradiance > 0.0).then(|| found.abs() / own.irradiance)
+    };
+    let mut parts: Vec<f64> = surfaces.iter().zip(others).filter_map(part).collect();
+    parts.sort_by(f64::total_cmp);
+    parts.get(parts.len() / 2).copied().unwrap_or(0.0)
+}
+
+/// Makes the errors of all surfaces those of an irradiance that is off by the part `eps` of itself.
+pub(super) fn add_errors_of_blocks(surfaces: &mut [SurfaceHeat], eps: f64) {
+    surfaces.iter_mut().for_each(|own| add_errors_of_irradiance(own, eps * own.irradiance.abs()));
+}
+
+/// Makes the errors of flow and temperature those that follow from one of the irradiance (W m⁻²) at the least.
+fn add_errors_of_irradiance(own: &mut SurfaceHeat, irradiance: f64) {
     if !own.is_flow_known {
-        own.flow_error += own.emissivity.unwrap_or(1.0) * irradiance * own.area;
+        own.flow_error = own.flow_error.max(own.emissivity.unwrap_or(1.0) * irradiance * own.area);
     }
     if !own.is_temperature_known {
-        // From σ T⁴: dT = dH / (4 σ T³).
-        let slope = 4.0 * STEFAN_BOLTZMANN * own.temperature.powi(3);
-        own.temperature_error += if slope > 0.0 { irradiance / slope } else { kelvin(irradiance) };
+        own.temperature_error = own.temperature_error.max(own.kelvin_of(irradiance));
+    }
+}
+
+impl SurfaceHeat {
+    /// The error of the temperature (K) that one of its level (W m⁻²) makes: dT = d(σ T⁴) / (4 σ T³).
+    pub(super) fn kelvin_of(&self, level: f64) -> f64 {
+        let slope = 4.0 * STEFAN_BOLTZMANN * self.temperature.powi(3);
+        if slope > 0.0 { level / slope } else { kelvin(level) }
     }
 }

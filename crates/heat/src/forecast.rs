@@ -12,6 +12,7 @@ use radiosity_work::ranks::Ranks;
 
 use super::coats::all_emit;
 use super::conductances::each_alone;
+use super::cut::Cut;
 use super::error::HeatError;
 use super::roles::Roles;
 
@@ -41,15 +42,10 @@ impl<'a> Forecast<'a> {
         if needed <= allowed { Ok(()) } else { Err(HeatError::Conductances { surfaces, needed, allowed }) }
     }
 
-    /// The `orders` for which there is memory; an order below that of the options needs no more than the
-    /// balance itself.
-    pub(super) fn within_memory(&self, orders: &[usize]) -> Vec<usize> {
-        let emitting = all_emit(self.scene, self.roles);
-        let fits = |order: &usize| {
-            let options = Options { order: *order, ..*self.options };
-            let needed = || Model::peak_memory(&emitting, &options, self.ranks);
-            *order < self.options.order || self.options.memory.is_none_or(|allowed| needed() <= allowed)
-        };
-        orders.iter().copied().filter(fits).collect()
+    /// Whether there is memory for the balance of the scene on elements that are `cut` once more.
+    pub(super) fn fits(&self, cut: &Cut) -> bool {
+        let options = Options { order: cut.order, ..*self.options };
+        let needed = || Model::peak_memory(&all_emit(&cut.scene, self.roles), &options, self.ranks);
+        self.options.memory.is_none_or(|allowed| needed() <= allowed)
     }
 }

@@ -50,7 +50,9 @@ pub struct JudgedSurface {
     /// Both as flow or level times area (W); the class is its name.
     pub judged: Judged,
     /// The told error (W).
-    told_watts: f64,
+    pub(super) told_watts: f64,
+    /// Its index in the scene.
+    pub(super) surface: usize,
 }
 
 impl Heat {
@@ -110,6 +112,7 @@ impl JudgedSurface {
                 found: found.flow,
                 judged: number(own.flow, found.flow),
                 told_watts: own.flow_error,
+                surface: found.surface,
             }
         } else {
             let watts = STEFAN_BOLTZMANN * own.area;
@@ -121,6 +124,7 @@ impl JudgedSurface {
                 found: found.temperature,
                 judged: number(watts * own.temperature.powi(4), level),
                 told_watts: 4.0 * watts * own.temperature.powi(3) * own.temperature_error,
+                surface: found.surface,
             }
         }
     }

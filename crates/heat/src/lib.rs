@@ -22,8 +22,9 @@
 //!
 //! In order: [`HeatError`], `black_body`, `roles` (what is known of each surface), `coats` (scenes with the
 //! coatings of heat), `closure` (rows that sum to 1), `levels`, `figures` (of each surface), `field` (σ T⁴
-//! over surfaces), `shields`, `conductances`, `forecast`, [`Heat`], the balance, and [`judging`], what a referee
-//! says of it.
+//! over surfaces), `shields`, `conductances`, `cost` (seconds from counts), `cut` (elements that tell the
+//! error), `forecast`, [`Heat`], the balance, [`judging`], what a referee says of it, and `checking`, its errors
+//! made true by that.
 //!
 //! Imports `core`, `geom`, `solvers`, `work`, `scene`, `audit`, `visibility`, `elements`, `kernel` and `solve`.
 
@@ -37,9 +38,13 @@ mod figures;
 mod field;
 mod shields;
 mod conductances;
+mod cost;
+mod cut;
 mod forecast;
 pub mod judging;
+mod checking;
 
+use radiosity_audit::Checked;
 use radiosity_scene::Scene;
 use radiosity_solve::solution::Solution;
 use radiosity_solve::{Direct, Model, Options, Outcome, Transport};
@@ -49,15 +54,19 @@ pub use black_body::{STEFAN_BOLTZMANN, kelvin};
 use closure::{Closure, close};
 use coats::{all_emit, at_levels, radiant};
 pub use conductances::Conductances;
+use cut::{COARSER, Cut};
 pub use error::HeatError;
 pub use figures::SurfaceHeat;
-use figures::{add_errors_of_blocks, add_errors_of_order, figures};
+use figures::{add_errors, add_errors_of_blocks, difference, figures};
 use forecast::Forecast;
 use roles::Roles;
 
 /// Largest share of the heat exchanged that may be lost in a scene that counts as closed. An arbitrary
 /// choice: with a larger value leaks go untold, with a smaller one errors of the transfers count as leaks.
 const CLOSED: f64 = 1e-3;
+
+/// Accuracy of transfers beyond which none is asked for. Chosen: a coarser one tells nothing.
+const LARGEST_EPS: f64 = 0.1;
 
 /// The balance of heat of a scene.
 #[derive(Debug)]
@@ -69,8 +78,11 @@ pub struct Heat {
     /// By how much sums of view factors missed 1 before they were made to be 1; None where the scene is not
     /// known to be closed.
     pub moved: Option<f64>,
-    /// The orders that tell the error of this one; empty where there is no memory for them.
-    pub error_orders: Vec<usize>,
+    /// Whether elements that are cut once more told its errors; without memory or time for them these are those of
+    /// the transfers alone.
+    pub is_cut: bool,
+    /// The error that a referee found, once it looked.
+    pub checked: Option<Checked>,
     /// Conductances between all surfaces, if they were asked for.
     pub conductances: Option<Conductances>,
     /// Polynomials of irradiance and radiosity in the single band `heat`, with cost and self-checks.
@@ -107,9 +119,9 @@ impl Heat {
         scene.surfaces.iter().any(|surface| surface.thermal.condition.is_some() && !surface.is_luminaire())
     }
 
-    /// The temperatures and flows of `scene`, with errors from what lower orders find (two below, or the next
-    /// above 0). In closed scenes the transfers are made to close (`closure`). What the latter take is told
-    /// as [`Stage::Comparison`].
+    /// The temperatures and flows of `scene`, with errors from what a balance on elements that are cut once more finds.
+    /// In closed scenes the transfers are made to close (`closure`). What the second balance takes is told as
+    /// [`Stage::Comparison`].
     ///
     /// # Errors
     /// Surfaces without a temperature, a flux or an emissivity; parts of the scene whose level no temperature
@@ -121,46 +133,58 @@ impl Heat {
         if wanted.conductances {
             forecast.require_conductances()?;
         }
-        let error_orders = forecast.within_memory(&error_orders(options.order));
-        let (surfaces, outcome, moved, conductances) = {
+        let (surfaces, outcome, closure, conductances, cut) = {
             let Solved { model, mut outcome, closure } = solved(scene, &roles, &options, work)?;
-            let mut surfaces = figures(scene, &roles, &outcome)?;
+            let surfaces = figures(scene, &roles, &outcome)?;
             // What rules or rays missed does not matter where sums tell it.
             outcome.worst_error = outcome.worst_error.filter(|_| !closure.is_exact);
-            let reached = options.eps.max(outcome.accuracy_reached);
-            add_errors_of_blocks(&mut surfaces, if closure.is_exact { options.tolerance } else { reached });
             let conductances =
                 || options.in_threads(work.ranks, || Conductances::of(scene, &roles, &model, work))?;
             let conductances = wanted.conductances.then(conductances).transpose()?;
-            (surfaces, outcome, closure.moved, conductances)
+            let cut = Cut::of(scene, &roles, &model, &outcome).filter(|cut| forecast.fits(cut));
+            (surfaces, outcome, closure, conductances, cut)
         };
         let mut heat = Self {
             lost: surfaces.iter().map(|surface| surface.flow).sum(),
             surfaces,
-            moved,
-            error_orders,
+            moved: closure.moved,
+            is_cut: cut.is_some(),
+            checked: None,
             conductances,
             outcome,
         };
         let compared = |progress| work.report(of_comparison(progress));
-        heat.add_errors_of_orders(scene, &roles, &options, &work.observed_by(&compared))?;
+        let reached = options.eps.max(heat.outcome.accuracy_reached);
+        let reached = if closure.is_exact { options.tolerance } else { reached };
+        match cut {
+            Some(cut) => {
+                heat.add_errors_by(&cut, reached, &roles, &options, &work.observed_by(&compared))?;
+            }
+            None => add_errors_of_blocks(&mut heat.surfaces, reached),
+        }
         Ok(heat)
     }
 
-    /// Adds the errors that other orders tell.
-    fn add_errors_of_orders(
+    /// Adds the errors that elements of a cut tell. Blocks err by no more than the accuracy that they have `reached`,
+    /// and where they are made anew for all elements, by hardly more than both balances differ by.
+    fn add_errors_by(
         &mut self,
-        scene: &Scene,
+        cut: &Cut,
+        reached: f64,
         roles: &Roles,
         options: &Options,
         work: &Work<'_>,
     ) -> Result<(), HeatError> {
-        for order in self.error_orders.clone() {
-            let coarse = at_order(scene, order);
-            let outcome = solved(&coarse, roles, &Options { order, ..*options }, work)?.outcome;
-            let rough = figures(&coarse, roles, &outcome)?;
-            add_errors_of_order(&mut self.surfaces, &rough, share_left(options.order, order));
-        }
+        let [eps, shadow_eps] = [options.eps, options.shadow_eps].map(|own| (COARSER * own).min(LARGEST_EPS));
+        let options = Options { order: cut.order, eps, shadow_eps, ..*options };
+        let outcome = solved(&cut.scene, roles, &options, work)?.outcome;
+        let others = figures(&cut.scene, roles, &outcome)?;
+        let by_rays = self.outcome.sampling.and_then(|sampling| sampling.error).unwrap_or(0.0);
+        let least = match cut.is_whole {
+            true => reached.min(difference(&self.surfaces, &others)),
+            false => reached,
+        };
+        add_errors(&mut self.surfaces, &others, cut.factor, least.max(by_rays).max(options.tolerance));
         Ok(())
     }
 
@@ -185,34 +209,6 @@ fn of_comparison(progress: Progress) -> Progress {
         Progress::Rays { done, of, .. } => Progress::Done { stage, done: done as usize, of: of as usize },
         other => other,
     }
-}
-
-/// The orders whose solutions tell the error of the one at `order`: the two below, or the next above 0.
-fn error_orders(order: usize) -> Vec<usize> {
-    match order {
-        0 => vec![1],
-        1 => vec![0],
-        _ => vec![order - 1, order - 2],
-    }
-}
-
-/// The error at `order` over its difference from the solution at another one. Irradiance has kinks and
-/// singular derivatives at edges, so that errors fall as a power of the number of polynomials along a side.
-fn share_left(order: usize, other: usize) -> f64 {
-    // Flows in an oven of seven faces at the orders 0 to 8 fall with the power 2.2 to 2.7.
-    const POWER: f64 = 2.5;
-    if other > order {
-        return 1.0;
-    }
-    let ratio = (order + 1) as f64 / (other + 1) as f64;
-    1.0 / (ratio.powf(POWER) - 1.0)
-}
-
-/// The scene with surfaces of an order of their own at this one.
-fn at_order(scene: &Scene, order: usize) -> Scene {
-    let mut scene = scene.clone();
-    scene.surfaces.iter_mut().for_each(|surface| surface.order = surface.order.map(|_| order));
-    scene
 }
 
 /// The model of a scene and its light.

@@ -74,6 +74,10 @@ pub(crate) const MOST_HALVINGS_OF_CUBE: u32 = 60;
 /// and across, cells are 10⁻⁶ as long. A cell that wants more keeps its rule.
 pub(crate) const MOST_CUTS_OF_CELL: usize = 40;
 
+/// Most halvings, one inside the other, of a near pair of patches whose cost is told: parts of both are then 2⁻³⁰ as
+/// long. Patches that cross by roundings of their corners would be halved without an end.
+pub(crate) const MOST_HALVINGS_OF_SPLIT: u32 = 120;
+
 /// Most halvings of a near pair of patches whose kernel is a sum of terms: each part is 1/64 of its patch if
 /// both are halved as often. Nearer pairs are refused.
 pub(crate) const MOST_HALVINGS_OF_TERMS: usize = 12;

@@ -1,7 +1,9 @@
 //! Words for transfers that miss what was asked of them.
 
+use radiosity_audit::{Checked, HeatFault};
 use radiosity_kernel::WorstError;
 use radiosity_transport::FINEST_BY_RAYS;
+use radiosity_work::digits::significant;
 use radiosity_work::wording::{Wording, option, words};
 
 /// Words for the error that is left in the transfers between two surfaces, and the cure.
@@ -32,14 +34,32 @@ pub fn missed(worst: &WorstError, [one, other]: [&str; 2]) -> Wording {
     words(told) + cure
 }
 
-/// Words for the part that errors of heat leave out where there is no memory to solve at the next order too.
-pub fn no_error_of_order(order: usize) -> Wording {
-    let told = format!(
-        "the errors are those of the transfers alone: there is no memory for order {} beside order {order}, which tells what even \
-         fluxes miss; allow more with ",
-        order + 1
-    );
-    words(told) + option("memory")
+/// Words for the part that errors of heat leave out where elements were not cut once more.
+pub fn no_error_of_cut() -> Wording {
+    words(
+        "the errors are those of the transfers alone: there is no memory or no time to cut elements once more, which tells what \
+         even fluxes miss; allow more with ",
+    ) + option("memory")
+        + ", or take a lower "
+        + option("order")
+}
+
+/// Words for heat that a referee finds to be off by more than its errors tell.
+pub fn heat_underestimated(checked: &Checked) -> Option<Wording> {
+    let own = significant(100.0 * checked.own_error, 2);
+    let told = |finding: &str| {
+        words(format!(
+            "the balance by itself tells an error of {own} %, and path tracing finds more: {finding}; take a higher "
+        )) + option("order")
+            + ", or more elements by "
+            + option("subdivide")
+    };
+    checked.finding().map(told)
+}
+
+/// Words for heat that a referee cannot read.
+pub fn heat_unchecked(fault: &HeatFault) -> String {
+    format!("not checked by path tracing: {fault}")
 }
 
 /// Words for the correction of transfers of a closed scene whose row sums missed 1 by `moved` at the most.

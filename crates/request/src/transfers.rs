@@ -141,7 +141,7 @@ impl HeatRequest {
     }
 
     /// Degree of the polynomials.
-    pub fn order(&self) -> usize {
+    fn order(&self) -> usize {
         self.order.map_or_else(|| HeatOptions::default().options.order, ranges::Degree::count)
     }
 

@@ -240,3 +240,34 @@ fn what_only_looks_closed_is_left_as_it_is() {
     let heat = lumped_and_curved(open);
     assert!(heat.moved.is_none() && heat.lost > 0.0);
 }
+
+/// Clausing's tube of the length of its diameter between a black disk at 1000 K and one at 0 K passes 0.5142305345 of
+/// what the disk sends out (his integral equation, Ann. Phys. 12, 1932, to ten digits).
+#[test]
+fn the_error_of_a_tube_is_told_within_a_factor() {
+    let text = r#"
+    materials.hot = { emissivity = 1, temperature = 1000 }
+    materials.cold = { emissivity = 1, temperature = 0 }
+    materials.wall = { emissivity = 0.5, adiabatic = true }
+    [[surfaces]]
+    name = "wall"
+    material = "wall"
+    flip = true
+    cylinder = { base = [0,0,0], axis = [0,0,2], radius = 1 }
+    [[surfaces]]
+    name = "bottom"
+    material = "hot"
+    disk = { center = [0,0,0], normal = [0,0,1], radius = 1 }
+    [[surfaces]]
+    name = "top"
+    material = "cold"
+    disk = { center = [0,0,2], normal = [0,0,-1], radius = 1 }
+    "#;
+    let flow = 0.5142305345 * std::f64::consts::PI * level(1000.0);
+    for order in [0, 3] {
+        let heat = to_accuracy(1e-4, order, text).unwrap_or_else(|error| panic!("{error}"));
+        let own = of(&heat, "bottom");
+        let ratio = own.flow_error / (own.flow - flow).abs();
+        assert!(heat.is_cut && (0.5..10.0).contains(&ratio), "order {order}: {ratio} of the true error");
+    }
+}

@@ -3,6 +3,7 @@
 
 use std::f64::consts::FRAC_1_SQRT_2;
 
+use radiosity::audit::{Effort, Estimate, Referee, Spot};
 use radiosity::geom::DVec3;
 use radiosity::geom::shapes::Parallelogram;
 use radiosity::light::receiver_point::ReceiverPoint;
@@ -10,7 +11,7 @@ use radiosity::reading::grid::{Rates, grid};
 use radiosity::reading::reader::{ReadMode, Reader};
 use radiosity::solve::gather::Gather;
 use radiosity::solve::gather::gather_method::GatherMethod;
-use radiosity::solve::gather::ray_gather::RayGather;
+use radiosity::solve::gather::ray_gather::{Beyond, RayGather};
 use radiosity::solve::gather::read_irradiance::ReadIrradiance;
 use radiosity::solve::gather::receiver::Receiver;
 use radiosity::solve::{Options, Outcome};
@@ -41,8 +42,8 @@ fn deviation(found: &ReadIrradiance) -> f64 {
 fn every_point_of_a_furnace_is_as_bright() {
     let scene = builtin("furnace-cube");
     let (outcome, visibility) = solved(&scene);
-    for twice in [false, true] {
-        let gather = RayGather::new(&outcome.solution, &visibility, 1e-2, twice);
+    for beyond in [Beyond::Polynomials, Beyond::Gathered, Beyond::Walked] {
+        let gather = RayGather::new(&outcome.solution, &visibility, 1e-2, beyond);
         for (position, normal) in places() {
             let position = position - scene.middle;
             let found = gather.read(&Receiver::Point(ReceiverPoint::free(position, normal)));
@@ -66,7 +67,7 @@ fn a_round_lamp_lights_points_near_and_far() {
     builder.surface("floor", floor.expect("a square"), &black);
     let scene = builder.build().expect("a scene");
     let (outcome, visibility) = solved(&scene);
-    let gather = RayGather::new(&outcome.solution, &visibility, 3e-3, false);
+    let gather = RayGather::new(&outcome.solution, &visibility, 3e-3, Beyond::Polynomials);
     for distance in [0.51, 0.6, 1.0, 5.0] {
         for (normal, cosine) in [(DVec3::X, 1.0), ((DVec3::X + DVec3::Y) * FRAC_1_SQRT_2, FRAC_1_SQRT_2)] {
             let is_above = radius < distance * cosine;
@@ -133,7 +134,7 @@ fn rays_from_all_of_a_cell_give_its_mean() {
 fn a_reading_depends_on_nothing_but_its_point() {
     let scene = builtin("two-boxes");
     let (outcome, visibility) = solved(&scene);
-    let gather = RayGather::new(&outcome.solution, &visibility, 2e-2, false);
+    let gather = RayGather::new(&outcome.solution, &visibility, 2e-2, Beyond::Polynomials);
     let read = |at: f64| {
         let receiver = ReceiverPoint::free(visibility.bounds().center() + at * DVec3::X, DVec3::Z);
         gather.read(&Receiver::Point(receiver))
@@ -142,6 +143,33 @@ fn a_reading_depends_on_nothing_but_its_point() {
     let _ = read(0.2);
     assert_eq!(first, read(0.1));
     assert_ne!(first, read(0.2));
+}
+
+/// Σ of squares of differences from what a referee finds at 48 points, over the squares of their standard errors; of
+/// light read from one constant a wall.
+fn differences(beyond: Beyond) -> f64 {
+    let scene = builtin("cornell-box");
+    let solution = outcome_of(&scene, &Options { order: 0, ..Options::default() }).solution;
+    let visibility = Options::default().visibility(&scene);
+    let gather = RayGather::new(&solution, &visibility, 2e-2, beyond);
+    let referee = Referee::of_light(&scene);
+    let spots: Vec<Spot> = referee.sample(48, 3).into_iter().map(|point| point.spot).collect();
+    let estimates = referee.estimates(&spots, &Effort::of_walks(16384.0), &Work::alone());
+    let difference = |(spot, found): (&Spot, &Estimate)| {
+        let Spot::Point { position, normal } = *spot else { unreachable!("samples are points") };
+        let read = gather.read(&Receiver::Point(ReceiverPoint::free(position + 1e-6 * normal, normal)));
+        let error = deviation(&read) * read.irradiance[1];
+        (read.irradiance[1] - found.bands[1].value).powi(2) / (error.powi(2) + found.bands[1].error.powi(2))
+    };
+    spots.iter().zip(&estimates).map(difference).sum()
+}
+
+#[test]
+fn light_by_walks_owes_nothing_to_the_solution() {
+    let [walks, polynomials] = [Beyond::Walked, Beyond::Polynomials].map(differences);
+    // Both errors are known by 7 degrees of freedom, so that the mean is 1.4 and not 1.
+    assert!(walks / 48.0 < 2.5, "{}", walks / 48.0);
+    assert!(polynomials / 48.0 > 10.0, "constants are far off: {}", polynomials / 48.0);
 }
 
 #[test]
@@ -154,7 +182,7 @@ fn a_strip_of_wall_beside_a_block_is_gathered_by_cells_as_by_rays() {
     let solution = outcome_of(&scene, &options).solution;
     let visibility = options.visibility(&scene);
     let cells = Gather::new(&solution, &visibility, 1e-3);
-    let rays = RayGather::new(&solution, &visibility, 1e-3, false);
+    let rays = RayGather::new(&solution, &visibility, 1e-3, Beyond::Polynomials);
     for x in [380.0, 388.0, 396.0] {
         let point = ReceiverPoint::free(DVec3::new(x, 109.6, 100.0), DVec3::Z);
         let (by_cells, by_rays) = (cells.at(&point)[0], rays.read(&Receiver::Point(point)).irradiance[0]);

@@ -139,7 +139,11 @@ fn classes() -> Vec<Class> {
             name: "HeatMethod",
             base: "Transfers",
             about: "How a balance of heat is computed: the options of `Transfers`, whose `eps` is then 1e-4, and these.",
-            options: together([of::<HeatRequest>(&[], ""), vec![flag("conductances", conductances)]]),
+            options: together([
+                of::<HeatRequest>(&[], ""),
+                of::<CheckRequest>(&[], ""),
+                vec![flag("conductances", conductances)],
+            ]),
         },
     ]
 }

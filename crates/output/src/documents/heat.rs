@@ -2,6 +2,7 @@
 
 use std::io::{self, Write};
 
+use radiosity_audit::Checked;
 use radiosity_heat::{Conductances, Heat, SurfaceHeat};
 use serde::Serialize;
 
@@ -71,6 +72,7 @@ pub fn json(heat: &Heat, mut out: impl Write) -> io::Result<()> {
         iterations: heat.outcome.iterations,
         closure_max: heat.outcome.checks.closure_max,
         accuracy_reached: heat.outcome.accuracy_reached,
+        checked: heat.checked.as_ref(),
     };
     serde_json::to_writer_pretty(&mut out, &document)?;
     writeln!(out)
@@ -85,6 +87,8 @@ struct Document<'a> {
     iterations: usize,
     closure_max: f64,
     accuracy_reached: f64,
+    #[serde(flatten)]
+    checked: Option<&'a Checked>,
 }
 
 /// CSV with the names as header and as first column; the last column is the conductance to the surroundings.

@@ -18,7 +18,7 @@ use crate::rules::far::SMALLEST_RATIO;
 use crate::rules::near::emitter::Emitter;
 use crate::rules::near::line::{LineRule, Request, StretchedRule};
 use crate::rules::near::polar::{Edge, edges, fraction};
-use crate::tolerances::MOST_CUTS_OF_CELL;
+use crate::tolerances::{MOST_CUTS_OF_CELL, MOST_HALVINGS_OF_SPLIT};
 
 /// Distance, relative to the pair's size, below which nothing is resolved: 500 rounding errors; for touching
 /// patches it changes the result by as little.
@@ -219,10 +219,15 @@ fn halves(part: Vec<DVec3>, edge: &Edge, side: DVec3, normal: DVec3, size: f64) 
 }
 
 /// Tensor samples if the longest extent is halved until every part is far enough apart; infinite above
-/// `limit`.
+/// `limit`, and for patches that touch or cross each other.
 pub(super) fn split_cost(p: &Patch, q: &Patch, degrees: [usize; 2], eps: f64, limit: f64) -> f64 {
+    cost_of_halves(p, q, degrees, eps, limit, MOST_HALVINGS_OF_SPLIT)
+}
+
+/// As [`split_cost`], with at most so many halvings, one inside the other.
+fn cost_of_halves(p: &Patch, q: &Patch, degrees: [usize; 2], eps: f64, limit: f64, halvings: u32) -> f64 {
     let gap = gap(p, q);
-    if gap == 0.0 {
+    if gap == 0.0 || halvings == 0 {
         return f64::INFINITY;
     }
     if gap >= SMALLEST_RATIO * p.longest().1.max(q.longest().1) {
@@ -230,7 +235,7 @@ pub(super) fn split_cost(p: &Patch, q: &Patch, degrees: [usize; 2], eps: f64, li
     }
     let mut cost = 0.0;
     for [a, b] in Patch::halve_longer(p, q) {
-        cost += split_cost(&a, &b, degrees, eps, limit - cost);
+        cost += cost_of_halves(&a, &b, degrees, eps, limit - cost, halvings - 1);
         if cost > limit {
             return f64::INFINITY;
         }

@@ -25,7 +25,8 @@ pub(super) fn blocks(heat: Result<&Heat, &HeatError>) -> Vec<Block> {
             heading,
             Block::Text(format!(
                 "Temperature T, net flux q and net flow Q that leave each surface as radiation, with their estimated errors, or \
-                 given. {} Conduction, convection and stored heat are left out. Lengths are metres.",
+                 given{}. {} Conduction, convection and stored heat are left out. Lengths are metres.",
+                heat.checked.as_ref().map(|checked| format!("; {checked}")).unwrap_or_default(),
                 whole(heat)
             )),
             Block::Table(table(&heat.surfaces, DIGITS)),

@@ -1,0 +1,73 @@
+//! The errors of a balance, made true by what a referee finds.
+//!
+//! Every error becomes κ times what it was, and that of a surface that is off by more than chance at least the
+//! difference that was found ([`Checked`]), d of a flow, d/(4 σ T³ A) of a temperature.
+
+use radiosity_audit::{Checked, Effort, HeatFault, Judged};
+use radiosity_scene::Scene;
+use radiosity_work::Work;
+
+use super::Heat;
+use super::cost::seconds_of_run;
+use super::judging::JudgedHeat;
+
+impl Heat {
+    /// About the seconds that the balance took two threads, from counts of its work.
+    pub fn seconds(&self) -> f64 {
+        seconds_of_run(&self.outcome)
+    }
+
+    /// Surfaces for a referee to look at, at most `most`: evenly those that can be judged.
+    pub fn to_check(&self, scene: &Scene, most: usize) -> Vec<usize> {
+        let all = self.judgeable(scene);
+        let count = all.len().min(most);
+        (0..count).map(|k| all[k * all.len() / count]).collect()
+    }
+
+    /// Makes the errors of a balance of `scene` true by what a referee finds at these surfaces.
+    ///
+    /// # Errors
+    /// Heat that cannot be read by walks: nothing is changed.
+    pub fn check(
+        &mut self,
+        scene: &Scene,
+        surfaces: &[usize],
+        effort: &Effort,
+        work: &Work<'_>,
+    ) -> Result<(), HeatFault> {
+        let run = JudgedHeat::of(scene, self, surfaces, effort, work)?;
+        if run.surfaces.is_empty() {
+            return Ok(());
+        }
+        let judged: Vec<Judged> = run.surfaces.iter().map(|own| own.judged.clone()).collect();
+        let own: Vec<f64> = run.surfaces.iter().map(|own| own.told_watts).collect();
+        let checked = Checked::of(&judged, &own, &run.verdict, "surfaces");
+        for own in &mut self.surfaces {
+            own.flow_error = checked.told(own.flow_error, None);
+            own.temperature_error = checked.told(own.temperature_error, None);
+        }
+        for (reading, looked) in run.surfaces.iter().enumerate() {
+            self.take_difference(scene, looked.surface, checked.told(0.0, Some(reading)));
+        }
+        self.checked = Some(checked);
+        Ok(())
+    }
+
+    /// Makes the error of a surface at least that of a difference in watts, and of the other side of a sheet too.
+    fn take_difference(&mut self, scene: &Scene, surface: usize, watts: f64) {
+        let own = &mut self.surfaces[surface];
+        if own.is_temperature_known {
+            own.flow_error = own.flow_error.max(watts);
+            return;
+        }
+        let kelvin = if watts > 0.0 { own.kelvin_of(watts / own.area) } else { 0.0 };
+        own.temperature_error = own.temperature_error.max(kelvin);
+        if own.is_flow_known {
+            return;
+        }
+        if let Some(other) = scene.surfaces[surface].other_side {
+            let other = &mut self.surfaces[other];
+            other.temperature_error = other.temperature_error.max(kelvin);
+        }
+    }
+}
