@@ -84,8 +84,12 @@ impl Checked {
     /// # Panics
     /// If there is not an estimate for each reading.
     pub fn of(judged: &[Judged], own: &[f64], verdict: &Verdict, of: &'static str) -> Self {
-        assert_eq!(judged.len(), own.len(), "an estimate for each reading");
-        let own_error = relative(judged, own);
+        Self::with(judged, Self::relative(judged, own), verdict, of)
+    }
+
+    /// What `verdict` makes of own estimates whose relative size in the L2 mean is `own_error`. `of` is the plural noun
+    /// of what was judged.
+    pub fn with(judged: &[Judged], own_error: f64, verdict: &Verdict, of: &'static str) -> Self {
         let worst = verdict.worst.first().map(|worst| Named {
             of: worst.of.clone(),
             relative: (worst.printed - worst.found.value) / worst.found.value.abs(),
@@ -108,6 +112,19 @@ impl Checked {
             finding: finding(verdict, own_error, of),
             off: Verdict::off(judged),
         }
+    }
+
+    /// The relative size, in the L2 mean of the readings `judged`, of the method's `own` estimates of their errors, one
+    /// for each reading: root mean squares over its bands.
+    ///
+    /// # Panics
+    /// If there is not an estimate for each reading.
+    pub fn relative(judged: &[Judged], own: &[f64]) -> f64 {
+        assert_eq!(judged.len(), own.len(), "an estimate for each reading");
+        let square =
+            |(judged, own): (&Judged, &f64)| judged.weight * judged.printed.len() as f64 * own * own;
+        let squares: f64 = judged.iter().zip(own).map(square).sum();
+        if squares == 0.0 { 0.0 } else { (squares / Verdict::size(judged)).sqrt() }
     }
 
     /// The error that is told of a number of the `own` estimate; `reading` is its number among those that were
@@ -140,14 +157,6 @@ impl fmt::Display for Checked {
         };
         write!(to, "checked at {} {} by path tracing: {said}", self.audit.readings, self.of)
     }
-}
-
-/// Relative size of these estimates in the L2 mean.
-fn relative(judged: &[Judged], own: &[f64]) -> f64 {
-    let square = |(judged, own): (&Judged, &f64)| judged.weight * judged.printed.len() as f64 * own * own;
-    let squares: f64 = judged.iter().zip(own).map(square).sum();
-    let size = Verdict::size(judged);
-    if squares == 0.0 { 0.0 } else { (squares / size).sqrt() }
 }
 
 /// κ for own estimates of this relative size.

@@ -2,8 +2,9 @@
 //!
 //! In order: values on a grid of points ([`field`]), warnings, light at points
 //! and sensors ([`reader`], [`probe`], [`grid`], [`uniformity`], [`plane_figures`]) with its errors
-//! ([`read_error`], [`quality`]) and what a referee says of it ([`judging`]) and
-//! of view factors ([`judged_factors`]), the report of a run ([`report`],
+//! ([`read_error`], [`quality`], [`own_error`]) what they cost
+//! ([`run_cost`]), and what a referee says of what is printed
+//! ([`checked_readings`]), of a solution ([`judging`]) and of view factors ([`judged_factors`]), the report of a run ([`report`],
 //! [`rank_work`], [`checkpoint`]), light of pixels and texels ([`pictures`]), and solutions in files ([`files`]:
 //! our own, and curved cells of VTK).
 //!
@@ -21,6 +22,9 @@ pub mod probe;
 pub mod read_error;
 pub mod plane_figures;
 pub mod quality;
+pub mod own_error;
+pub mod run_cost;
+pub mod checked_readings;
 pub mod judging;
 pub mod judged_factors;
 pub mod accuracy_warning;
