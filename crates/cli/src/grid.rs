@@ -76,8 +76,7 @@ pub(crate) fn run(args: &GridArgs, loaded: Loaded, ranks: &Ranks) -> Result<(), 
     let scene = &run.solved.scene;
     let own = OwnError::of(&run.solved, &reading);
     let printed = |number: usize| PrintedReading::of_cell(&cells[number], sides, scene, &own);
-    let points = cells.len() * reading.rates.indirect.pow(2);
-    let checked = run.check(cells.len(), printed, run.seconds_to_read(&reading, points))?;
+    let checked = run.check(cells.len(), printed, run.seconds_to_read(&reading, cells.len()))?;
     let estimates = cells.iter().map(|cell| own.of_reading(&cell.irradiance, cell.deviation));
     let errors = CheckedReadings::all_told(checked.as_ref(), estimates);
     data.write(&scene.bands, "cells", &table(scene, &cells, &errors))?;

@@ -31,7 +31,8 @@ pub fn seconds_to_solve(solved: &Solved) -> f64 {
     SAMPLE * outcome.samples as f64 + RAY * rays as f64 + NUMBER * numbers
 }
 
-/// Seconds to read so many points with `settings`; 0 where that takes no gathering.
+/// Seconds to read so many points or cells with `settings`, whose points share what is found of their surroundings; 0
+/// where that takes no gathering.
 pub fn seconds_to_read(solved: &Solved, settings: &ReadSettings, points: f64) -> f64 {
     match settings.read {
         ReadMode::Basis | ReadMode::Direct => 0.0,

@@ -102,9 +102,8 @@ impl<'a> ReportLight<'a> {
             }
             None => PrintedReading::of_cell(&cells[number - sensed.len()], self.cells, scene, &own),
         };
-        let points = sensed.len() + cells.len() * reading.rates.indirect.pow(2);
         let count = sensed.len() + cells.len();
-        let checked = run.check(count, printed, run.seconds_to_read(&reading, points))?;
+        let checked = run.check(count, printed, run.seconds_to_read(&reading, count))?;
         let estimates = sensed.iter().map(|reading| own.of_reading(&reading.irradiance, reading.deviation));
         let errors = CheckedReadings::all_told(checked.as_ref(), estimates);
         let figures = planes.map(|on| {
