@@ -18,7 +18,8 @@ use crate::plane_figures::PlaneFigures;
 use crate::rank_work::{RanksWork, peak_bytes};
 use crate::read_error::ReadError;
 pub use crate::warning::Warning;
-use warnings::{underestimated, warnings};
+pub use warnings::underestimated;
+use warnings::warnings;
 
 /// The report of a run: what was done, its cost, and self-checks.
 #[derive(Clone, Debug, Serialize)]

@@ -61,17 +61,19 @@ impl CheckRequest {
         ))
     }
 
-    /// What is checked of what is printed of a scene that was solved with these options, beside a run of about so many
-    /// seconds, which follow from counts of its work; None where a referee does not know that light, or nothing emits.
-    pub fn effort(&self, run: f64, scene: &Scene, options: &Options) -> Option<CheckEffort> {
+    /// What is checked of `count` numbers that are printed of a scene that was solved with these options, beside a run of
+    /// about so many seconds, which follow from counts of its work; None where a referee does not know that light, or
+    /// nothing emits.
+    pub fn effort(&self, run: f64, count: usize, scene: &Scene, options: &Options) -> Option<CheckEffort> {
         if other_physics(options).is_some() || scene.require_light().is_err() {
             return None;
         }
+        let readings = READINGS.min(count);
         let effort = match self.audit {
-            Some(seconds) => Effort::of_seconds(f64::from(seconds), READINGS, scene),
-            None => Effort::beside(run, READINGS, scene),
+            Some(seconds) => Effort::of_seconds(f64::from(seconds), readings, scene),
+            None => Effort::beside(run, readings, scene),
         };
-        Some(CheckEffort { readings: READINGS, effort, seed: 0 })
+        Some(CheckEffort { readings, effort, seed: 0 })
     }
 }
 

@@ -18,7 +18,7 @@ impl Run {
         reading: impl Fn(usize) -> Option<PrintedReading> + Send,
         seconds: f64,
     ) -> Result<Option<CheckedReadings>, CliError> {
-        let Some(effort) = self.check_effort(seconds) else { return Ok(None) };
+        let Some(effort) = self.check_effort(seconds, count) else { return Ok(None) };
         let referee = || Referee::of_light(&self.solved.scene);
         let judge = || CheckedReadings::of(&referee(), count, reading, &effort, &self.work());
         Ok(Some(self.in_threads(judge)?).filter(|checked| !checked.judged.is_empty()))
@@ -27,7 +27,7 @@ impl Run {
     /// Checks the solution at places of its surfaces and planes as they are read with `settings`, where it is written
     /// for readers, and adds that to the summary and the report.
     pub(crate) fn check_solution(&mut self, settings: &ReadSettings) -> Result<(), CliError> {
-        let Some(effort) = self.check_effort(0.0) else { return Ok(()) };
+        let Some(effort) = self.check_effort(0.0, usize::MAX) else { return Ok(()) };
         let referee = || Referee::of_light(&self.solved.scene);
         let judge = || JudgedRun::of_all_light(&self.solved, settings, &referee(), &effort, &self.work());
         let judged = self.in_threads(judge)?;
@@ -47,10 +47,11 @@ impl Run {
         seconds_to_read(&self.solved, settings, points as f64)
     }
 
-    /// How much is checked after so many seconds of reading. A solution that did not converge is told to be wrong.
-    fn check_effort(&self, seconds: f64) -> Option<CheckEffort> {
+    /// How much of so many numbers is checked after so many seconds of reading. A solution that did not converge is told
+    /// to be wrong.
+    fn check_effort(&self, seconds: f64, count: usize) -> Option<CheckEffort> {
         let solving = if self.is_saved() { 0.0 } else { seconds_to_solve(&self.solved) };
-        let effort = self.check.effort(solving + seconds, &self.solved.scene, &self.solved.options);
+        let effort = self.check.effort(solving + seconds, count, &self.solved.scene, &self.solved.options);
         effort.filter(|_| self.solved.outcome.converged)
     }
 }

@@ -36,7 +36,7 @@ pub(super) fn warnings(solved: &Solved) -> Vec<Warning> {
 }
 
 /// A warning where a referee found more than the method's own estimates tell, with the names of the places.
-pub(super) fn underestimated(checked: &Checked) -> Option<Warning> {
+pub fn underestimated(checked: &Checked) -> Option<Warning> {
     let message = |finding: &str| {
         let own = significant(100.0 * checked.own_error, 2);
         words(format!("the method tells an error of {own} %, and path tracing finds more: {finding}; ask for an "))
