@@ -121,8 +121,7 @@ impl Checked {
     /// If there is not an estimate for each reading.
     pub fn relative(judged: &[Judged], own: &[f64]) -> f64 {
         assert_eq!(judged.len(), own.len(), "an estimate for each reading");
-        let square =
-            |(judged, own): (&Judged, &f64)| judged.weight * judged.printed.len() as f64 * own * own;
+        let square = |(judged, own): (&Judged, &f64)| judged.weight * judged.printed.len() as f64 * own * own;
         let squares: f64 = judged.iter().zip(own).map(square).sum();
         if squares == 0.0 { 0.0 } else { (squares / Verdict::size(judged)).sqrt() }
     }

@@ -22,10 +22,10 @@ use radiosity_reading::quantity::Quantity;
 use radiosity_reading::rank_work::RanksWork;
 use radiosity_reading::reader::ReadMode;
 use radiosity_reading::report::underestimated;
-use radiosity_request::{CheckRequest, MethodRequest, ReadRequest};
 use radiosity_request::picture::{SAMPLES, camera, pixels, require_pixels};
 use radiosity_request::ranges::{Fraction, Positive};
 use radiosity_request::require_all_light;
+use radiosity_request::{CheckRequest, MethodRequest, ReadRequest};
 use radiosity_scene::Scene;
 use radiosity_solve::animation::follower::{FollowMode, Follower};
 use radiosity_solve::animation::frame::Frame;
@@ -334,8 +334,7 @@ pub(crate) fn run(args: &AnimateArgs, loaded: Loaded, ranks: &Ranks) -> Result<(
     let readings = points.map(|points| Readings::new(points, args.read.plain(&args.method)));
     let judged = evenly(range.numbers(), range.count(), 1, 0).next().unwrap_or_default();
     let (exposure, read) = (args.exposure, args.read.read);
-    let mut shutter =
-        Shutter { args, asked: &asked, judged, checked: None, readings, film, exposure, read };
+    let mut shutter = Shutter { args, asked: &asked, judged, checked: None, readings, film, exposure, read };
     let mut made = 0;
     for (done, number) in range.numbers().enumerate() {
         progress.say_whole(standing(done, range.count(), made, begun));

@@ -26,7 +26,7 @@ use crate::{
     planes::PlaneArgs,
     points::Points,
     run::{Run, RunArgs},
-    sensors::Sensors,
+    sensors::{IN_THE_OPEN, Sensors},
 };
 
 /// Solves a scene and prints the irradiance at points or on planes of sensors, in the unit of the scene's
@@ -163,10 +163,10 @@ pub(crate) fn run(
     run.finish((!written.is_empty()).then(|| written.join(" and ")).as_deref())
 }
 
-/// Name of the plane or the surface of a reading; empty in free space.
+/// Name of the plane or the surface of a reading.
 fn class<'a>(scene: &'a Scene, sensors: &'a Sensors, readings: &[ProbeReading], number: usize) -> &'a str {
     let surface = || readings[number].on.as_ref().map(|on| scene.surfaces[on.surface].name.as_str());
-    sensors.plane_of(number).map(SensorPlane::name).or_else(surface).unwrap_or_default()
+    sensors.plane_of(number).map(SensorPlane::name).or_else(surface).unwrap_or(IN_THE_OPEN)
 }
 
 /// A row per point: `x,y,z,nx,ny,nz,E_<band>…,error,surface,u,v,B_<band>…`, with the error that is told of the

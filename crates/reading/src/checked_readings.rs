@@ -148,3 +148,65 @@ pub fn evenly<T>(
         is_next.then_some(item)
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use radiosity_geom::DVec3;
+    use radiosity_language::builtin;
+
+    use super::*;
+
+    /// Points of the floor of the furnace, where light is 2, that print `light` and tell the error `own`.
+    fn floor(number: usize, light: f64, own: f64) -> Option<PrintedReading> {
+        let position = DVec3::new((number as f64 + 0.5) / 128.0, 0.3, 0.0);
+        Some(PrintedReading {
+            spot: Spot::Point { position: position - builtin("furnace-cube").ok()?.middle, normal: DVec3::Z },
+            printed: vec![light],
+            printed_groups: Vec::new(),
+            own,
+            class: "floor".to_owned(),
+        })
+    }
+
+    fn checked(reading: impl Fn(usize) -> Option<PrintedReading>) -> CheckedReadings {
+        let referee = Referee::of_light(&builtin("furnace-cube").expect("it is built in"));
+        let effort = CheckEffort { readings: 64, effort: Effort::of_walks(512.0), seed: 0 };
+        CheckedReadings::of(&referee, 128, reading, &effort, &Work::alone())
+    }
+
+    #[test]
+    fn readings_that_are_right_keep_their_own_errors() {
+        let right = checked(|number| floor(number, 2.0, 1e-3));
+        assert_eq!((right.judged.len(), right.numbers.len()), (64, 64));
+        assert!(right.numbers.is_sorted_by(|a, b| a < b) && right.numbers[63] >= 126, "{:?}", right.numbers);
+        assert_eq!(right.checked.error_factor, 1.0);
+        assert_eq!(CheckedReadings::all_told(Some(&right), [1e-3; 128].into_iter()), vec![1e-3; 128]);
+    }
+
+    #[test]
+    fn readings_that_are_off_err_by_what_was_found_those_that_were_not_judged_too() {
+        let off = checked(|number| floor(number, 2.2, 1e-3));
+        let told = CheckedReadings::all_told(Some(&off), [1e-3; 128].into_iter());
+        assert!(told.iter().all(|error| (error - 0.2).abs() < 0.02), "{told:?}");
+        assert!(
+            off.checked.finding().is_some_and(|finding| finding.contains("\"floor\" by 10 %")),
+            "{off:?}"
+        );
+    }
+
+    #[test]
+    fn a_single_reading_that_is_off_errs_by_its_own_difference() {
+        let right = checked(|number| floor(number, 2.0, 1e-3));
+        let wrong = right.numbers[20];
+        let one = checked(|number| floor(number, if number == wrong { 1.0 } else { 2.0 }, 1e-3));
+        assert!((one.told(wrong, 1e-3) - 1.0).abs() < 0.02, "{one:?}");
+        assert!(one.told(wrong + 1, 1e-3) < 0.5, "{one:?}");
+    }
+
+    #[test]
+    fn what_cannot_be_judged_is_left_out() {
+        let half = checked(|number| floor(number, 2.0, 1e-3).filter(|_| number < 64));
+        assert_eq!(half.judged.len(), 32);
+        assert!(checked(|_| None).judged.is_empty());
+    }
+}

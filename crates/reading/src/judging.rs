@@ -85,8 +85,7 @@ impl JudgedRun {
         let all = places(scene, referee, effort);
         let read = |solution: &Solution| readings(solution, solved, settings, &all, work);
         let whole = read(&solved.outcome.solution);
-        let groups: Vec<Vec<Option<Vec<f64>>>> =
-            groups.into_iter().map(|own| own.read(&all, read)).collect();
+        let groups: Vec<Vec<Option<Vec<f64>>>> = groups.into_iter().map(|own| own.read(&all, read)).collect();
         let printed = |place: usize| {
             let whole = PrintedReading::of_probe(whole[place].as_ref()?, scene, &own, &all[place].class);
             let printed_groups = groups.iter().filter_map(|own| own[place].clone()).collect();

@@ -90,3 +90,33 @@ fn left(read: ReadMode) -> f64 {
         ReadMode::Gather | ReadMode::GatherTwice => GATHERED,
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use radiosity_language::builtin;
+
+    use super::*;
+    use crate::quality::Quality;
+
+    fn own(scene: &str, by_rays: Option<f64>, settings: &ReadSettings) -> OwnError {
+        let scene = builtin(scene).expect("it is built in");
+        let options = Options { eps: 1e-4, shadow_eps: 2e-3, ..Options::default() };
+        OwnError::by(&options, &options.visibility(&scene), by_rays, settings)
+    }
+
+    #[test]
+    fn parts_of_an_error_add_as_independent_ones() {
+        let settings = ReadSettings { eps: 1e-3, ..Quality::Default.reading() };
+        // 3 and 4 in two bands are √12.5 in the root mean square.
+        let light = [3.0, 4.0];
+        let told = |own: OwnError, deviation| own.of_reading(&light, deviation) / 12.5_f64.sqrt();
+        let near = |a: f64, b: f64| assert!((a - b).abs() < 1e-12, "{a} {b}");
+        near(told(own("furnace-cube", None, &settings), None), 3e-4_f64.hypot(1e-4));
+        near(told(own("cornell-box", None, &settings), None), 3e-4_f64.hypot(2e-3));
+        let deviation = Some(Deviation { relative: 3e-3, is_dark: false });
+        near(told(own("cornell-box", Some(0.02), &settings), deviation), 5e-3);
+        let basis = ReadSettings { read: ReadMode::Basis, ..settings };
+        near(told(own("cornell-box", Some(0.02), &basis), None), 0.02);
+        near(own("cornell-box", None, &settings).of_reading(&[0.0, 0.0], None), 0.0);
+    }
+}

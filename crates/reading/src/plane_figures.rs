@@ -62,7 +62,13 @@ impl PlaneFigures {
             1 => BandFigures::One(figures(0)),
             _ => BandFigures::Several { bands: bands.iter().enumerate().map(named).collect() },
         };
-        Self { name: plane.name().to_owned(), points: readings.len(), dark: dark(readings), error: None, figures }
+        Self {
+            name: plane.name().to_owned(),
+            points: readings.len(),
+            dark: dark(readings),
+            error: None,
+            figures,
+        }
     }
 
     /// The figures with the error that follows from those of the sensors.

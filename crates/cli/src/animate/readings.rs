@@ -14,7 +14,7 @@ use radiosity_work::ranks::Ranks;
 use crate::destination::Destination;
 use crate::error::CliError;
 use crate::points::{COLUMNS, Points};
-use crate::sensors::Sensors;
+use crate::sensors::{IN_THE_OPEN, Sensors};
 
 /// The readings of all frames so far.
 #[derive(Debug)]
@@ -60,7 +60,7 @@ impl Readings {
     pub(super) fn printed(&self, number: usize, frame: &Frame) -> Option<PrintedReading> {
         let FrameReadings { readings, own, .. } = self.frames.last()?;
         let reading = readings.get(number)?;
-        let name = reading.on.as_ref().map_or("", |on| frame.scene.surfaces[on.surface].name.as_str());
+        let name = reading.on.as_ref().map_or(IN_THE_OPEN, |on| frame.scene.surfaces[on.surface].name.as_str());
         Some(PrintedReading::of_probe(reading, &frame.scene, own, name))
     }
 

@@ -46,7 +46,8 @@ impl<'a> PrintedPixels<'a> {
         own: OwnError,
     ) -> Self {
         let all = raster.coverage().len();
-        let pixels = Self { raster, camera, scene, visibility, view: Pinhole::new(camera), own, judged: Vec::new() };
+        let pixels =
+            Self { raster, camera, scene, visibility, view: Pinhole::new(camera), own, judged: Vec::new() };
         let chosen = evenly(0..all, all, LOOKED_AT.min(all), 0);
         let judged = chosen.filter_map(|pixel| Some((pixel, pixels.surface(pixel)?))).collect();
         Self { judged, ..pixels }

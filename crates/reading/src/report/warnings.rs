@@ -39,8 +39,9 @@ pub(super) fn warnings(solved: &Solved) -> Vec<Warning> {
 pub fn underestimated(checked: &Checked) -> Option<Warning> {
     let message = |finding: &str| {
         let own = significant(100.0 * checked.own_error, 2);
-        words(format!("the method tells an error of {own} %, and path tracing finds more: {finding}; ask for an "))
-            + option("accuracy")
+        words(format!(
+            "the method tells an error of {own} %, and path tracing finds more: {finding}; ask for an "
+        )) + option("accuracy")
             + ", or a smaller "
             + option("eps")
     };
