@@ -71,8 +71,8 @@ fn the_error_of_each_row_is_told_and_the_run_is_checked_once() {
     }
 }
 
-/// Walls of a solution that were painted afterwards reflect 0.6 instead of 0.5: light is 2.5, not 2. Readers say so,
-/// name the wall, tell errors as large, and fail where they are strict, after all is written.
+/// Walls of a solution that were painted afterwards reflect 0.6 instead of 0.5: light is 2.5, not 2. Readers
+/// say so, name the wall, tell errors as large, and fail where they are strict, after all is written.
 #[test]
 fn wrong_light_is_told_with_its_places() {
     let folder = folder(&[("points.csv", POINTS)]);

@@ -1,15 +1,16 @@
 //! Errors that a run tells, made true by its referee.
 //!
-//! Each printed number has an estimate of its error that the method makes by itself, its *own* estimate o. They are
-//! multiplied by one factor κ ≥ 1 a run and quantity,
+//! Each printed number has an estimate of its error that the method makes by itself, its *own* estimate o.
+//! They are multiplied by one factor κ ≥ 1 a run and quantity,
 //!
 //! ```text
 //! κ² = max(1, (err² + SE) / o²) ,     o² = Σ w o_i² / Σ w (M_i² − s_i²)     where err² > SE, else 1 ,
 //! ```
 //!
-//! err² and its standard error SE as in [`Verdict`]. Own estimates that are too small are thereby made as large as
-//! what is found; what no walk can see, such as the last digits of a smooth enclosure, stays told by the method. A
-//! number at which the referee looked and which is off by more than chance errs by at least that difference.
+//! err² and its standard error SE as in [`Verdict`]. Own estimates that are too small are thereby made as
+//! large as what is found; what no walk can see, such as the last digits of a smooth enclosure, stays told by
+//! the method. A number at which the referee looked and which is off by more than chance errs by at least
+//! that difference.
 
 use std::fmt;
 
@@ -78,8 +79,8 @@ pub struct Named {
 }
 
 impl Checked {
-    /// What `verdict` on the readings `judged` makes of the method's `own` estimates of their errors, one for each
-    /// reading: root mean squares over its bands. `of` is the plural noun of what was judged.
+    /// What `verdict` on the readings `judged` makes of the method's `own` estimates of their errors, one for
+    /// each reading: root mean squares over its bands. `of` is the plural noun of what was judged.
     ///
     /// # Panics
     /// If there is not an estimate for each reading.
@@ -87,8 +88,8 @@ impl Checked {
         Self::with(judged, Self::relative(judged, own), verdict, of)
     }
 
-    /// What `verdict` makes of own estimates whose relative size in the L2 mean is `own_error`. `of` is the plural noun
-    /// of what was judged.
+    /// What `verdict` makes of own estimates whose relative size in the L2 mean is `own_error`. `of` is the
+    /// plural noun of what was judged.
     pub fn with(judged: &[Judged], own_error: f64, verdict: &Verdict, of: &'static str) -> Self {
         let worst = verdict.worst.first().map(|worst| Named {
             of: worst.of.clone(),
@@ -114,8 +115,8 @@ impl Checked {
         }
     }
 
-    /// The relative size, in the L2 mean of the readings `judged`, of the method's `own` estimates of their errors, one
-    /// for each reading: root mean squares over its bands.
+    /// The relative size, in the L2 mean of the readings `judged`, of the method's `own` estimates of their
+    /// errors, one for each reading: root mean squares over its bands.
     ///
     /// # Panics
     /// If there is not an estimate for each reading.
@@ -126,8 +127,8 @@ impl Checked {
         if squares == 0.0 { 0.0 } else { (squares / Verdict::size(judged)).sqrt() }
     }
 
-    /// The error that is told of a number of the `own` estimate; `reading` is its number among those that were
-    /// judged, if it was.
+    /// The error that is told of a number of the `own` estimate; `reading` is its number among those that
+    /// were judged, if it was.
     pub fn told(&self, own: f64, reading: Option<usize>) -> f64 {
         let is = |(number, _): &&(usize, f64)| Some(*number) == reading;
         let found = self.off.iter().find(is).map_or(0.0, |(_, difference)| *difference);

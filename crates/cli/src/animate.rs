@@ -267,7 +267,8 @@ impl Shutter<'_> {
         Ok(())
     }
 
-    /// The check of `count` numbers of a frame that `printed` gives; None where a referee does not know such light.
+    /// The check of `count` numbers of a frame that `printed` gives; None where a referee does not know such
+    /// light.
     fn check(
         &self,
         frame: &Frame,

@@ -85,7 +85,8 @@ pub(crate) fn run(args: &GridArgs, loaded: Loaded, ranks: &Ranks) -> Result<(), 
     run.finish(data.written())
 }
 
-/// A row per cell: `surface,i,j,E_<band>…,B_<band>…,error,area,x,y,z`, with the error that is told of the irradiance.
+/// A row per cell: `surface,i,j,E_<band>…,B_<band>…,error,area,x,y,z`, with the error that is told of the
+/// irradiance.
 fn table<'a>(scene: &'a Scene, cells: &'a [Cell], errors: &'a [f64]) -> Table<'a> {
     let columns = [
         Column::text("surface"),

@@ -169,8 +169,8 @@ fn class<'a>(scene: &'a Scene, sensors: &'a Sensors, readings: &[ProbeReading], 
     sensors.plane_of(number).map(SensorPlane::name).or_else(surface).unwrap_or(IN_THE_OPEN)
 }
 
-/// A row per point: `x,y,z,nx,ny,nz,E_<band>…,error,surface,u,v,B_<band>…`, with the error that is told of the
-/// irradiance; of several planes `plane` comes first.
+/// A row per point: `x,y,z,nx,ny,nz,E_<band>…,error,surface,u,v,B_<band>…`, with the error that is told of
+/// the irradiance; of several planes `plane` comes first.
 fn table<'a>(
     scene: &'a Scene,
     sensors: &'a Sensors,

@@ -34,8 +34,8 @@ pub struct JudgedReading {
 pub struct JudgedRun {
     /// The readings.
     pub readings: Vec<JudgedReading>,
-    /// Places that could not be read, as by polynomials there is light on surfaces alone, or of which walks tell no
-    /// number.
+    /// Places that could not be read, as by polynomials there is light on surfaces alone, or of which walks
+    /// tell no number.
     pub unread: usize,
     /// The referee's verdict on them.
     pub verdict: Verdict,
@@ -50,8 +50,8 @@ struct Place {
 }
 
 impl JudgedRun {
-    /// Judges light of `solved` that is read with `settings`, that of its groups apart too. The bits do not depend on
-    /// threads and ranks.
+    /// Judges light of `solved` that is read with `settings`, that of its groups apart too. The bits do not
+    /// depend on threads and ranks.
     pub fn of(
         solved: &Solved,
         settings: &ReadSettings,

@@ -21,8 +21,8 @@
 //! | estimate of the adaptation | a solution refined to an accuracy |
 //!
 //! What these do not know, such as light that no polynomial follows, is left to the factor κ of
-//! [`Checked`](radiosity_audit::Checked). Readings of nearly no light by rays, whose deviations are relative to more
-//! than they are, get too little.
+//! [`Checked`](radiosity_audit::Checked). Readings of nearly no light by rays, whose deviations are relative
+//! to more than they are, get too little.
 
 use radiosity_solve::Options;
 use radiosity_solve::gather::read_irradiance::Deviation;
@@ -36,8 +36,8 @@ use crate::reader::ReadMode;
 /// Error of light by cells over the accuracy asked for. Measured on sixty random rooms beside a path tracer.
 const BY_CELLS: f64 = 0.3;
 
-/// Part of the error that rays leave in elements that is left in light gathered from these. Measured there too: 0.66 %
-/// was off where rays read to 0.57 % from elements that erred by 1.7 %, both in the median.
+/// Part of the error that rays leave in elements that is left in light gathered from these. Measured there
+/// too: 0.66 % was off where rays read to 0.57 % from elements that erred by 1.7 %, both in the median.
 const GATHERED: f64 = 0.2;
 
 /// Own estimates of the errors of what is read of one solution in one way.
@@ -61,8 +61,8 @@ impl OwnError {
         Self { solution: estimate.unwrap_or(own.solution), ..own }
     }
 
-    /// Of light that is read with `settings` of a solution with these options among these obstacles, in which rays left
-    /// the relative error `by_rays`, where they carried light.
+    /// Of light that is read with `settings` of a solution with these options among these obstacles, in which
+    /// rays left the relative error `by_rays`, where they carried light.
     pub fn by(
         options: &Options,
         visibility: &Visibility,

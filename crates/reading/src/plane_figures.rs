@@ -20,8 +20,8 @@ pub struct PlaneFigures {
     pub points: usize,
     /// Number of sensors that get no light: those within a body, as a rule.
     pub dark: usize,
-    /// Error that is told of the mean, in the unit of the readings, root mean square over the bands: that of their
-    /// sensors, which it does not exceed. None where none is told.
+    /// Error that is told of the mean, in the unit of the readings, root mean square over the bands: that of
+    /// their sensors, which it does not exceed. None where none is told.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub error: Option<f64>,
     /// Figures by band.

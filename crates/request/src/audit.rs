@@ -42,8 +42,8 @@ pub struct AuditRequest {
 #[serde(default)]
 #[cfg_attr(feature = "clap", derive(clap::Args))]
 pub struct CheckRequest {
-    /// Seconds that about two threads take to check what is printed by path tracing; the number of rays follows
-    /// from this and from counts of the scene [default: a tenth of the run, 0.1 to 5]
+    /// Seconds that about two threads take to check what is printed by path tracing; the number of rays
+    /// follows from this and from counts of the scene [default: a tenth of the run, 0.1 to 5]
     #[cfg_attr(feature = "clap", arg(long, value_name = "SECONDS", allow_negative_numbers = true))]
     pub audit: Option<Number<Seconds>>,
 }
@@ -61,9 +61,9 @@ impl CheckRequest {
         ))
     }
 
-    /// What is checked of `count` numbers that are printed of a scene that was solved with these options, beside a run of
-    /// about so many seconds, which follow from counts of its work; None where a referee does not know that light, or
-    /// nothing emits.
+    /// What is checked of `count` numbers that are printed of a scene that was solved with these options,
+    /// beside a run of about so many seconds, which follow from counts of its work; None where a referee does
+    /// not know that light, or nothing emits.
     pub fn effort(&self, run: f64, count: usize, scene: &Scene, options: &Options) -> Option<CheckEffort> {
         if other_physics(options).is_some() || scene.require_light().is_err() {
             return None;

@@ -60,7 +60,8 @@ impl Readings {
     pub(super) fn printed(&self, number: usize, frame: &Frame) -> Option<PrintedReading> {
         let FrameReadings { readings, own, .. } = self.frames.last()?;
         let reading = readings.get(number)?;
-        let name = reading.on.as_ref().map_or(IN_THE_OPEN, |on| frame.scene.surfaces[on.surface].name.as_str());
+        let name =
+            reading.on.as_ref().map_or(IN_THE_OPEN, |on| frame.scene.surfaces[on.surface].name.as_str());
         Some(PrintedReading::of_probe(reading, &frame.scene, own, name))
     }
 
@@ -75,8 +76,8 @@ impl Readings {
         ReadError::of(readings.map(|reading| reading.deviation))
     }
 
-    /// Prints `frame,point,x,y,z,nx,ny,nz,E_<band>…,error`, a row for each frame and point, with own estimates of errors
-    /// multiplied by `factor`.
+    /// Prints `frame,point,x,y,z,nx,ny,nz,E_<band>…,error`, a row for each frame and point, with own
+    /// estimates of errors multiplied by `factor`.
     pub(super) fn write(&self, bands: &[String], factor: f64, ranks: &Ranks) -> Result<(), CliError> {
         let columns = [
             Column::numbers("frame", ""),

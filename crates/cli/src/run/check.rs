@@ -10,8 +10,8 @@ use super::Run;
 use crate::error::CliError;
 
 impl Run {
-    /// The check of `count` printed numbers that `reading` gives, which took about so many seconds to read; None where a
-    /// referee does not know such light.
+    /// The check of `count` printed numbers that `reading` gives, which took about so many seconds to read;
+    /// None where a referee does not know such light.
     pub(crate) fn check(
         &self,
         count: usize,
@@ -24,8 +24,8 @@ impl Run {
         Ok(Some(self.in_threads(judge)?).filter(|checked| !checked.judged.is_empty()))
     }
 
-    /// Checks the solution at places of its surfaces and planes as they are read with `settings`, where it is written
-    /// for readers, and adds that to the summary and the report.
+    /// Checks the solution at places of its surfaces and planes as they are read with `settings`, where it is
+    /// written for readers, and adds that to the summary and the report.
     pub(crate) fn check_solution(&mut self, settings: &ReadSettings) -> Result<(), CliError> {
         let Some(effort) = self.check_effort(0.0, usize::MAX) else { return Ok(()) };
         let referee = || Referee::of_light(&self.solved.scene);
@@ -47,8 +47,8 @@ impl Run {
         seconds_to_read(&self.solved, settings, points as f64)
     }
 
-    /// How much of so many numbers is checked after so many seconds of reading. A solution that did not converge is told
-    /// to be wrong.
+    /// How much of so many numbers is checked after so many seconds of reading. A solution that did not
+    /// converge is told to be wrong.
     fn check_effort(&self, seconds: f64, count: usize) -> Option<CheckEffort> {
         let solving = if self.is_saved() { 0.0 } else { seconds_to_solve(&self.solved) };
         let effort = self.check.effort(solving + seconds, count, &self.solved.scene, &self.solved.options);

@@ -1,8 +1,8 @@
 //! Pixels of a picture as readings that a referee checks.
 //!
-//! Those that see one surface from corner to corner are judged: at edges a pixel holds as many samples as were asked
-//! for, which errs by more than light does. What a lamp emits is known, and is left out: it would outshine the
-//! errors of all the rest.
+//! Those that see one surface from corner to corner are judged: at edges a pixel holds as many samples as
+//! were asked for, which errs by more than light does. What a lamp emits is known, and is left out: it would
+//! outshine the errors of all the rest.
 
 use radiosity_audit::{Pixel, Spot};
 use radiosity_scene::{Camera, Scene};
@@ -20,7 +20,8 @@ use crate::reader::ReadMode;
 /// Places of a pixel that have to see the same surface: its corners and its middle.
 const PLACES: [[f64; 2]; 5] = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [1.0, 1.0], [0.5, 0.5]];
 
-/// Pixels that are looked at, of which about 64 are judged. Chosen: a quarter of most pictures is of plain pixels.
+/// Pixels that are looked at, of which about 64 are judged. Chosen: a quarter of most pictures is of plain
+/// pixels.
 const LOOKED_AT: usize = 256;
 
 /// A picture of radiosity whose pixels are readings.

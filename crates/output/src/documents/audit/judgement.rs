@@ -68,8 +68,8 @@ impl Judgement<'_> {
         }
     }
 
-    /// CSV with a row for each printed number, with what was found, its standard error, the relative difference
-    /// and that difference in standard errors.
+    /// CSV with a row for each printed number, with what was found, its standard error, the relative
+    /// difference and that difference in standard errors.
     ///
     /// # Errors
     /// Errors of writing to `out`.
