@@ -29,6 +29,9 @@ fn assert_two(text: &str) {
 
 const POINTS: &str = "0.5,0.5,0.5,0,0,3\n0.25,1,0,0,0,1\n";
 
+/// Points in the furnace and on its floor, of which the last lies on an edge, where light is a limit: it is not judged.
+const INSIDE: &str = "0.5,0.5,0.5,0,0,3\n0.25,0.5,0,0,0,1\n0.25,1,0,0,0,1\n";
+
 #[test]
 fn a_probe_prints_irradiance_and_what_is_on_a_surface() {
     for source in ["points.csv", "-"] {
@@ -48,7 +51,7 @@ fn a_probe_prints_irradiance_and_what_is_on_a_surface() {
 /// In the furnace all light is 2: what is told of each row covers what it is off by, and is not much more.
 #[test]
 fn the_error_of_each_row_is_told_and_the_run_is_checked_once() {
-    let folder = folder(&[("points.csv", POINTS)]);
+    let folder = folder(&[("points.csv", INSIDE)]);
     for args in [
         ["probe", "furnace-cube", "--points", "points.csv"].as_slice(),
         &["grid", "furnace-cube", "--cells", "4x4"],
@@ -61,7 +64,7 @@ fn the_error_of_each_row_is_told_and_the_run_is_checked_once() {
             let [light, error] = [number(&row["irradiance"][0]), number(&row["error"])];
             assert!((light - 2.0).abs() <= error && error < 0.02, "{row}");
         }
-        let judged = rows.len().min(64);
+        let judged = if rows.len() == 3 { 2 } else { 64 };
         let line = format!("checked at {judged} readings by path tracing: no error above ");
         assert!(told.contains(&line), "{told}");
         assert_eq!(number(&report["audit"]["readings"]), judged as f64);
@@ -71,41 +74,34 @@ fn the_error_of_each_row_is_told_and_the_run_is_checked_once() {
     }
 }
 
-/// Walls of a solution that were painted afterwards reflect 0.6 instead of 0.5: light is 2.5, not 2. Readers
-/// say so, name the wall, tell errors as large, and fail where they are strict, after all is written.
+/// After three sweeps of Jacobi's iteration the furnace has 2 (1 − 2⁻⁴) = 1.875 of light, where 2 is right: the run says
+/// so, names its walls, tells errors as large, and fails where it is strict, after all is written.
 #[test]
 fn wrong_light_is_told_with_its_places() {
-    let folder = folder(&[("points.csv", POINTS)]);
+    let folder = tempfile::tempdir().expect("a folder");
     let folder = folder.path();
-    program::done(folder, &["solve", "furnace-cube", "-o", "s.json"]);
-    let text = std::fs::read_to_string(folder.join("s.json")).expect("it was written");
-    let painted = text.replace("reflectance = 0.5", "reflectance = 0.6");
-    assert_ne!(text, painted);
-    std::fs::write(folder.join("s.json"), painted).expect("it can be written");
-    let args = ["grid", "s.json", "--cells", "2x2", "--read", "basis", "--report", "report.json"];
-    let args = [&args[..], &["--audit", "0.2", "--strict", "-o", "table.csv"]].concat();
-    let output = program::radiosity(folder, &args);
+    let early = ["--read", "basis", "--solver", "jacobi", "--tolerance", "0.2"];
+    let grid = ["grid", "furnace-cube", "--cells", "2x2", "--report", "report.json", "-o", "table.csv"];
+    let loose = [&grid[..], &early, &["--audit", "0.1"]].concat();
+    let output = program::radiosity(folder, &[&loose[..], &["--strict"]].concat());
     let told = String::from_utf8_lossy(&output.stderr);
     assert_eq!(output.status.code(), Some(3), "{told}");
+    let off = ["checked at 24 readings by path tracing: off by 6", "warning: the method tells an error of"];
     for part in
-        ["off by 20 % (± ", "warning: the method tells an error of", "\"floor\" by -20 %", "wrote table.csv"]
+        [off[0], off[1], "\"floor\" by -6.", "wrote table.csv", "error: the light is off by more than"]
     {
         assert!(told.contains(part), "{part:?} is missing in:\n{told}");
     }
     let report = json(&folder.join("report.json"));
     assert_eq!(report["warnings"][0]["code"], "error-underestimated", "{report}");
-    assert!((number(&report["error"]) - 0.2).abs() < 0.01, "{report}");
+    assert!((number(&report["error"]) - 0.0625).abs() < 0.005, "{report}");
     let table = std::fs::read_to_string(folder.join("table.csv")).expect("it was written");
     for line in table.lines().skip(1) {
         let fields: Vec<&str> = line.split(',').collect();
         let [light, error] = [3, 5].map(|column: usize| fields[column].parse::<f64>().expect("a number"));
-        assert!((light - 2.0).abs() < 1e-3 && (0.45..0.6).contains(&error), "{line}");
+        assert!((light - 1.875).abs() < 1e-3 && (error - 0.125).abs() < 0.02, "{line}");
     }
-    let loose = program::radiosity(
-        folder,
-        &args.iter().copied().filter(|arg| *arg != "--strict").collect::<Vec<_>>(),
-    );
-    assert_eq!(loose.status.code(), Some(0), "only strict runs fail");
+    program::done(folder, &loose);
 }
 
 /// Light of another kind is not checked, and a check of it that is typed is refused.

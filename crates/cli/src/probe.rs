@@ -139,7 +139,7 @@ pub(crate) fn run(
     let own = OwnError::of(&run.solved, &reading);
     let printed = |number: usize| {
         let name = class(scene, &sensors, &readings, number);
-        Some(PrintedReading::of_probe(&readings[number], scene, &own, name))
+        PrintedReading::of_probe(&readings[number], scene, &own, name)
     };
     let seconds = run.seconds_to_read(&reading, readings.len());
     let checked = run.check(readings.len(), printed, seconds)?;

@@ -10,13 +10,17 @@ use radiosity_work::Work;
 
 use crate::grid::Cell;
 use crate::own_error::OwnError;
-use crate::probe::ProbeReading;
+use crate::probe::{OnSurface, ProbeReading};
 
 /// Plural noun of what is checked.
 const READINGS: &str = "readings";
 
 /// Part of a cell that may be covered where it is judged. Chosen: rounding of areas.
 const COVERED: f64 = 1e-6;
+
+/// Distance from the edge of a surface, in its parameters, within which a point lies on it. Chosen: a thousand times the
+/// rounding of places.
+const EDGE: f64 = 1e-9;
 
 /// A reading that is printed.
 #[derive(Clone, Debug)]
@@ -35,15 +39,17 @@ pub struct PrintedReading {
 }
 
 impl PrintedReading {
-    /// A probe's reading, of the surface or plane `class`.
-    pub fn of_probe(reading: &ProbeReading, scene: &Scene, own: &OwnError, class: &str) -> Self {
-        Self {
+    /// A probe's reading, of the surface or plane `class`; None on the edge of a surface: light there is the limit from
+    /// within, and walks start beside it as well.
+    pub fn of_probe(reading: &ProbeReading, scene: &Scene, own: &OwnError, class: &str) -> Option<Self> {
+        let is_on_edge = |on: &OnSurface| on.parameters.iter().any(|parameter| parameter.abs() > 1.0 - EDGE);
+        (!reading.on.as_ref().is_some_and(is_on_edge)).then(|| Self {
             spot: reading.probe.spot(scene),
             printed: reading.irradiance.clone(),
             printed_groups: Vec::new(),
             own: own.of_reading(&reading.irradiance, reading.deviation),
             class: class.to_owned(),
-        }
+        })
     }
 
     /// The mean irradiance of a cell of a grid of `cells` along u and v; None where something stands on it:

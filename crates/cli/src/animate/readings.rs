@@ -62,7 +62,7 @@ impl Readings {
         let reading = readings.get(number)?;
         let name =
             reading.on.as_ref().map_or(IN_THE_OPEN, |on| frame.scene.surfaces[on.surface].name.as_str());
-        Some(PrintedReading::of_probe(reading, &frame.scene, own, name))
+        PrintedReading::of_probe(reading, &frame.scene, own, name)
     }
 
     /// Number of the points.

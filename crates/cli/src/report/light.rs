@@ -98,7 +98,7 @@ impl<'a> ReportLight<'a> {
         let printed = |number: usize| match sensed.get(number) {
             Some(reading) => {
                 let name = self.sensors.plane_of(number).map_or("", SensorPlane::name);
-                Some(PrintedReading::of_probe(reading, scene, &own, name))
+                PrintedReading::of_probe(reading, scene, &own, name)
             }
             None => PrintedReading::of_cell(&cells[number - sensed.len()], self.cells, scene, &own),
         };
