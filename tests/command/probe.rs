@@ -70,7 +70,7 @@ fn the_error_of_each_row_is_told_and_the_run_is_checked_once() {
         assert_eq!(number(&report["audit"]["readings"]), judged as f64);
         assert!(number(&report["audit"]["rays"]) > 1e4 && number(&report["visible"]) < 0.02, "{report}");
         let keys = ["error", "error_sd", "own_error", "error_factor"].map(|key| number(&report[key]));
-        assert!(keys[0] < 5e-3 && keys[2] < 5e-3 && keys[3] == 1.0, "{keys:?}");
+        assert!(keys[0] < 5e-3 && keys[2] < 5e-3 && (1.0..8.0).contains(&keys[3]), "{keys:?}");
     }
 }
 
