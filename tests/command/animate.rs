@@ -47,7 +47,7 @@ fn lux_over_time_is_that_of_the_frames_alone() {
     let folder = folder(&[("room.toml", ROOM), ("points.csv", POINTS)]);
     let folder = folder.path();
     let [table, told] = done(folder, &["animate", "room.toml", "--probe", "points.csv"]);
-    assert_eq!(table.lines().next(), Some("frame,point,x,y,z,nx,ny,nz,E_grey"));
+    assert_eq!(table.lines().next(), Some("frame,point,x,y,z,nx,ny,nz,E_grey,error"));
     assert!(told.contains("12 frames in"), "{told}");
     let rows = rows(&table);
     assert_eq!(rows.len(), 24);

@@ -104,5 +104,5 @@ fn points_far_from_the_origin_are_those_of_the_scene() {
     };
     let [a, b] = [probe(&near, [0.0; 3]), probe(&far, offset)];
     let [e, f] = [&a, &b].map(|row| row[0].parse::<f64>().unwrap());
-    assert!((e / f - 1.0).abs() < 1e-9 && a[3] == b[3], "{a:?} {b:?}");
+    assert!((e / f - 1.0).abs() < 1e-9 && a[4] == b[4], "{a:?} {b:?}");
 }

@@ -64,7 +64,7 @@ fn a_frame_of_dimmed_lamps_is_the_scene_of_their_emission() {
         let light: Vec<f64> = table
             .lines()
             .skip(1)
-            .map(|line| line.rsplit(',').next().unwrap().parse().expect("a number"))
+            .map(|line| line.split(',').nth(8).unwrap().parse().expect("a number"))
             .collect();
         for (k, light_of_frame) in light.iter().enumerate() {
             let right = light[0] * (1.0 - 0.25 * k as f64);

@@ -33,7 +33,7 @@ fn furnaces_are_uniform() {
     // Five cells of 0.18 are the fewest of at most 0.2 along 0.9.
     let plane = "0.05,0.05,0.3; 0.9,0,0; 0,0.8,0.1; 0.2,0.3";
     let done = done(folder.path(), &["probe", "furnace-cube", "--plane", plane, "--read-eps", "1e-5"]);
-    assert_eq!(done.lines[0].join(","), "x,y,z,nx,ny,nz,E_grey,surface,u,v,B_grey");
+    assert_eq!(done.lines[0].join(","), "x,y,z,nx,ny,nz,E_grey,error,surface,u,v,B_grey");
     assert_eq!(done.lines.len(), 1 + 5 * 3);
     let figures = &done.report["planes"][0];
     assert_eq!((figures["name"].as_str(), number(&figures["points"])), (Some("plane-1"), 15.0));
@@ -133,7 +133,7 @@ fn several_planes_stand_in_one_table_with_their_names() {
         &["--planes", "--plane", typed],
     ] {
         let done = done(folder.path(), &[&["probe", "lamp.toml"], args].concat());
-        assert_eq!(done.lines[0].join(","), "plane,x,y,z,nx,ny,nz,E_lm,surface,u,v,B_lm");
+        assert_eq!(done.lines[0].join(","), "plane,x,y,z,nx,ny,nz,E_lm,error,surface,u,v,B_lm");
         let names: Vec<&str> = done.lines[1..].iter().map(|line| line[0].as_str()).collect();
         let last = if args.len() == 6 { "plane-3" } else { "plane-1" };
         assert_eq!(names, [vec!["desk"; 32], vec!["shelf"; 2], vec![last]].concat());
@@ -275,13 +275,13 @@ fn plans_that_cannot_be_drawn_are_refused() {
 fn cells_of_grids_have_their_middles() {
     let folder = tempfile::tempdir().unwrap();
     let lines = done(folder.path(), &["grid", "furnace-cube", "--cells", "2x4"]).lines;
-    assert_eq!(lines[0].join(","), "surface,i,j,E_grey,B_grey,area,x,y,z");
+    assert_eq!(lines[0].join(","), "surface,i,j,E_grey,B_grey,error,area,x,y,z");
     assert_eq!(lines[1][..3].join(","), "floor,0,0");
-    assert_eq!(lines[1][6..].join(","), "0.25,0.125,0");
+    assert_eq!(lines[1][7..].join(","), "0.25,0.125,0");
     // A scene far from the origin is computed about its own middle, and told where it is.
     fs::write(folder.path().join("far.toml"), LAMP.replace("[0, 0, 1.5]", "[5e5, 0, 1.5]")).unwrap();
     let lines = done(folder.path(), &["grid", "far.toml", "--cells", "1x1"]).lines;
-    let place: Vec<f64> = lines[1][6..].iter().map(|cell| cell.parse().expect("a number")).collect();
+    let place: Vec<f64> = lines[1][7..].iter().map(|cell| cell.parse().expect("a number")).collect();
     // u runs along the radius, v around: the middle is half-way out.
     assert!(((place[0] - 5e5).hypot(place[1]) - 0.1).abs() < 1e-6 && place[2] == 1.5, "{place:?}");
 }

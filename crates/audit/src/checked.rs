@@ -1,15 +1,16 @@
 //! Errors that a run tells, made true by its referee.
 //!
-//! Each printed number has an estimate of its error that the method makes by itself, its *own* estimate o. They are
-//! multiplied by one factor κ ≥ 1 a run and quantity,
+//! Each printed number has an estimate of its error that the method makes by itself, its *own* estimate o.
+//! They are multiplied by one factor κ ≥ 1 a run and quantity,
 //!
 //! ```text
 //! κ = Verdict::factor(o) ,     o² = Σ w o_i² / Σ w (M_i² − s_i²) .
 //! ```
 //!
-//! Own estimates that are too small are thereby made as large as
-//! what is found; what no walk can see, such as the last digits of a smooth enclosure, stays told by the method. A
-//! number at which the referee looked and which is off by more than chance errs by at least that difference.
+//! Own estimates that are too small are thereby made as
+//! large as what is found; what no walk can see, such as the last digits of a smooth enclosure, stays told by
+//! the method. A number at which the referee looked and which is off by more than chance errs by at least
+//! that difference.
 
 use std::fmt;
 
@@ -78,14 +79,18 @@ pub struct Named {
 }
 
 impl Checked {
-    /// What `verdict` on the readings `judged` makes of the method's `own` estimates of their errors, one for each
-    /// reading: root mean squares over its bands. `of` is the plural noun of what was judged.
+    /// What `verdict` on the readings `judged` makes of the method's `own` estimates of their errors, one for
+    /// each reading: root mean squares over its bands. `of` is the plural noun of what was judged.
     ///
     /// # Panics
     /// If there is not an estimate for each reading.
     pub fn of(judged: &[Judged], own: &[f64], verdict: &Verdict, of: &'static str) -> Self {
-        assert_eq!(judged.len(), own.len(), "an estimate for each reading");
-        let own_error = relative(judged, own);
+        Self::with(judged, Self::relative(judged, own), verdict, of)
+    }
+
+    /// What `verdict` makes of own estimates whose relative size in the L2 mean is `own_error`. `of` is the
+    /// plural noun of what was judged.
+    pub fn with(judged: &[Judged], own_error: f64, verdict: &Verdict, of: &'static str) -> Self {
         let worst = verdict.worst.first().map(|worst| Named {
             of: worst.of.clone(),
             relative: (worst.printed - worst.found.value) / worst.found.value.abs(),
@@ -110,8 +115,20 @@ impl Checked {
         }
     }
 
-    /// The error that is told of a number of the `own` estimate; `reading` is its number among those that were
-    /// judged, if it was.
+    /// The relative size, in the L2 mean of the readings `judged`, of the method's `own` estimates of their
+    /// errors, one for each reading: root mean squares over its bands.
+    ///
+    /// # Panics
+    /// If there is not an estimate for each reading.
+    pub fn relative(judged: &[Judged], own: &[f64]) -> f64 {
+        assert_eq!(judged.len(), own.len(), "an estimate for each reading");
+        let square = |(judged, own): (&Judged, &f64)| judged.weight * judged.printed.len() as f64 * own * own;
+        let squares: f64 = judged.iter().zip(own).map(square).sum();
+        if squares == 0.0 { 0.0 } else { (squares / Verdict::size(judged)).sqrt() }
+    }
+
+    /// The error that is told of a number of the `own` estimate; `reading` is its number among those that
+    /// were judged, if it was.
     pub fn told(&self, own: f64, reading: Option<usize>) -> f64 {
         let is = |(number, _): &&(usize, f64)| Some(*number) == reading;
         let found = self.off.iter().find(is).map_or(0.0, |(_, difference)| *difference);
@@ -140,14 +157,6 @@ impl fmt::Display for Checked {
         };
         write!(to, "checked at {} {} by path tracing: {said}", self.audit.readings, self.of)
     }
-}
-
-/// Relative size of these estimates in the L2 mean.
-fn relative(judged: &[Judged], own: &[f64]) -> f64 {
-    let square = |(judged, own): (&Judged, &f64)| judged.weight * judged.printed.len() as f64 * own * own;
-    let squares: f64 = judged.iter().zip(own).map(square).sum();
-    let size = Verdict::size(judged);
-    if squares == 0.0 { 0.0 } else { (squares / size).sqrt() }
 }
 
 /// Words on what exceeds the relative error `told`.

@@ -10,19 +10,22 @@ use std::path::PathBuf;
 use std::time::Instant;
 
 use clap::{Args, ValueEnum};
+use radiosity_audit::{Checked, Referee};
 use radiosity_output::drawings::picture::Picture;
 use radiosity_output::pictures::image::Image;
 use radiosity_output::pictures::tone::Tone;
+use radiosity_reading::checked_readings::{CheckedReadings, PrintedReading, evenly};
+use radiosity_reading::pictures::printed_pixels::{PrintedPixels, settings_of_pictures};
 use radiosity_reading::pictures::raster::Raster;
 use radiosity_reading::pictures::render::{render, usual_read, white_balance};
 use radiosity_reading::quantity::Quantity;
 use radiosity_reading::rank_work::RanksWork;
 use radiosity_reading::reader::ReadMode;
-use radiosity_request::MethodRequest;
-use radiosity_request::ReadRequest;
+use radiosity_reading::report::underestimated;
 use radiosity_request::picture::{SAMPLES, camera, pixels, require_pixels};
 use radiosity_request::ranges::{Fraction, Positive};
 use radiosity_request::require_all_light;
+use radiosity_request::{CheckRequest, MethodRequest, ReadRequest};
 use radiosity_scene::Scene;
 use radiosity_solve::animation::follower::{FollowMode, Follower};
 use radiosity_solve::animation::frame::Frame;
@@ -43,7 +46,7 @@ use crate::{
 };
 use frame_files::FrameFiles;
 use frames::FrameRange;
-use readings::Readings;
+use readings::{Readings, own_error};
 
 /// Solves the frames of a scene in which things move, and takes a picture of each
 #[derive(Debug, Args)]
@@ -113,6 +116,9 @@ pub(crate) struct AnimateArgs {
     #[command(flatten)]
     method: MethodRequest,
 
+    #[command(flatten)]
+    check: CheckRequest,
+
     /// Prints neither progress nor a summary
     #[arg(short, long, help_heading = "Messages")]
     quiet: bool,
@@ -153,6 +159,7 @@ impl AnimateArgs {
     /// Refuses methods that frames do not share.
     fn check_method(&self, asked: &Options) -> Result<(), CliError> {
         self.method.check()?;
+        self.check.check(asked)?;
         let frames = "frames that follow each other hold all light";
         let cure = |name: &'static str| words("take single frames: render --frame K ") + option(name) + " …";
         require_all_light(&self.method, frames, cure)?;
@@ -203,6 +210,12 @@ impl AnimateArgs {
 /// Maker of readings at points and of pictures of frames, all taken alike.
 struct Shutter<'a> {
     args: &'a AnimateArgs,
+    /// Options that the frames are solved with.
+    asked: &'a Options,
+    /// Number of the frame that is checked.
+    judged: usize,
+    /// What that found.
+    checked: Option<Checked>,
     readings: Option<Readings>,
     film: Option<FrameFiles>,
     /// Exposure of all pictures, 1 over the radiosity that is white; that of the first picture unless told.
@@ -232,11 +245,18 @@ impl Shutter<'_> {
         ranks: &Ranks,
     ) -> Result<(), CliError> {
         if let Some(readings) = &mut self.readings {
-            readings.read(number, frame, ranks)?;
+            readings.read(number, frame, self.asked, ranks)?;
+        }
+        if let Some(readings) = self.readings.as_ref().filter(|_| number == self.judged) {
+            let printed = |point: usize| readings.printed(point, frame);
+            self.checked = self.check(frame, readings.count(), printed, ranks);
         }
         let Some(mut film) = self.film.take() else { return Ok(()) };
         if is_first || !is_there {
             let raster = self.take(frame, ranks)?;
+            if number == self.judged && self.checked.is_none() {
+                self.checked = self.check_picture(frame, &raster, ranks)?;
+            }
             let mut develop = || self.developed(&raster, frame);
             match is_there {
                 true => drop(develop()),
@@ -245,6 +265,36 @@ impl Shutter<'_> {
         }
         self.film = Some(film);
         Ok(())
+    }
+
+    /// The check of `count` numbers of a frame that `printed` gives; None where a referee does not know such
+    /// light.
+    fn check(
+        &self,
+        frame: &Frame,
+        count: usize,
+        printed: impl Fn(usize) -> Option<PrintedReading>,
+        ranks: &Ranks,
+    ) -> Option<Checked> {
+        // Frames keep no counts of their work: it is the least effort, unless told otherwise.
+        let effort = self.args.check.of_light(0.0, count, &frame.scene, self.asked)?;
+        let referee = Referee::of_light(&frame.scene);
+        let checked = CheckedReadings::of(&referee, count, printed, &effort, &Work::among(ranks));
+        (!checked.judged.is_empty()).then_some(checked.checked)
+    }
+
+    /// The check of a picture of a frame.
+    fn check_picture(
+        &self,
+        frame: &Frame,
+        raster: &Raster,
+        ranks: &Ranks,
+    ) -> Result<Option<Checked>, CliError> {
+        let camera = camera(self.args.size, &frame.scene)?;
+        let settings = settings_of_pictures(self.read.unwrap_or(ReadMode::Gather));
+        let own = own_error(frame, self.asked, &settings);
+        let pixels = PrintedPixels::of(raster, &camera, &frame.scene, &frame.visibility, own);
+        Ok(self.check(frame, pixels.count(), |number| pixels.reading(number), ranks))
     }
 
     /// The picture of a frame, through its own camera.
@@ -283,7 +333,9 @@ pub(crate) fn run(args: &AnimateArgs, loaded: Loaded, ranks: &Ranks) -> Result<(
     let work = Work { ranks, observer: &progress, deadline: deadline.as_ref() };
     let mut follower = Follower::new(scene, &asked, args.way(), range.ends());
     let readings = points.map(|points| Readings::new(points, args.read.plain(&args.method)));
-    let mut shutter = Shutter { args, readings, film, exposure: args.exposure, read: args.read.read };
+    let judged = evenly(range.numbers(), range.count(), 1, 0).next().unwrap_or_default();
+    let (exposure, read) = (args.exposure, args.read.read);
+    let mut shutter = Shutter { args, asked: &asked, judged, checked: None, readings, film, exposure, read };
     let mut made = 0;
     for (done, number) in range.numbers().enumerate() {
         progress.say_whole(standing(done, range.count(), made, begun));
@@ -295,18 +347,26 @@ pub(crate) fn run(args: &AnimateArgs, loaded: Loaded, ranks: &Ranks) -> Result<(
         made += 1;
         asked.in_threads(ranks, || shutter.record(number, &frame, is_first, is_there, ranks))??;
     }
-    let Shutter { film, readings, .. } = shutter;
+    let Shutter { film, readings, checked, .. } = shutter;
     film.map_or(Ok(()), FrameFiles::finish)?;
     let read_error = readings.as_ref().and_then(Readings::error);
-    readings.map_or(Ok(()), |readings| readings.write(&scene.bands, ranks))?;
+    let factor = checked.as_ref().map_or(1.0, |checked| checked.error_factor);
+    readings.map_or(Ok(()), |readings| readings.write(&scene.bands, factor, ranks))?;
     drop(progress);
     if !args.quiet {
         let mut lines = summary::lines(&follower, made, begun.elapsed().as_secs_f64());
         lines.extend(RanksWork::so_far(ranks, asked.threads).map(|work| work.to_string()));
         lines.extend(read_error.map(|error| error.to_string()));
+        lines.extend(checked.as_ref().map(|checked| format!("frame {judged} {checked}")));
+        lines.extend(checked.as_ref().and_then(underestimated).map(|warning| warning.to_string()));
         console::tell(&lines, ranks);
     }
-    Ok(())
+    match checked {
+        Some(checked) if args.scene.strict && checked.finds_more() => {
+            Err(CliError::FoundMore { what: "the light is", told: checked.own_error })
+        }
+        _ => Ok(()),
+    }
 }
 
 /// Tells which surfaces pass through others in these frames or between them.

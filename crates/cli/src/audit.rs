@@ -5,7 +5,7 @@ mod picture;
 use std::path::{Path, PathBuf};
 
 use clap::{Args, Command, ValueEnum};
-use radiosity_audit::{Referee, Verdict};
+use radiosity_audit::Referee;
 use radiosity_heat::Heat;
 use radiosity_heat::judging::JudgedHeat;
 use radiosity_output::documents::audit as output;
@@ -60,6 +60,7 @@ Examples:
 #[command(
     mut_arg("scene", |scene| scene.help(SCENE_OR_SOLUTION)),
     mut_arg("settings", |set| set.help(PARAMETER_OR_GROUP)),
+    mut_arg("audit", |audit| audit.hide(true)),
     mut_arg("strict", |strict| {
         strict.help("Ends with exit code 3 where more is found than the run tells; refuses a scene of another program that needs repairs")
     }),
@@ -133,6 +134,12 @@ pub(crate) fn run(
     given: &TypedOptions,
     ranks: &Ranks,
 ) -> Result<(), CliError> {
+    if args.run.check.audit.is_some() {
+        return Err(CliError::refused(
+            "--audit says how long another verb is checked, and this one does nothing else",
+            "take --seconds instead",
+        ));
+    }
     match args.of {
         Subject::Light => args.light(fixing, given, ranks),
         Subject::Heat => {
@@ -193,7 +200,7 @@ impl AuditArgs {
         let goal = goal.map(|goal| goal.read_by(self.read.read_by.unwrap_or_default()));
         let run = Run::to(goal, loaded, &self.run, ranks)?;
         let reading = self.read.reading(method, &run.solved, run.is_saved());
-        let judging = self.audit.judging(&run.solved, &reading);
+        let judging = self.audit.judging(&run.solved.scene);
         let referee = Referee::of_light(&run.solved.scene);
         let judge = || JudgedRun::of(&run.solved, &reading, &referee, &judging, &run.work());
         let judged = run.in_threads(judge)?;
@@ -206,7 +213,7 @@ impl AuditArgs {
         let files = self.output.iter().chain(&self.marks.picture).map(|path| path.display().to_string());
         let written = files.collect::<Vec<_>>().join(" and ");
         run.finish((!written.is_empty()).then_some(written.as_str()))?;
-        self.judge("the light is", judging.told, &judged.verdict)
+        self.judge("the light is", judged.checked.own_error, judged.checked.finds_more())
     }
 
     /// Computes the balance of heat and judges it.
@@ -226,7 +233,7 @@ impl AuditArgs {
         progress.clear();
         outlet.write(&output::heat::judgement(&judged), self, ranks)?;
         self.tell_written(ranks);
-        self.judge("the heat is", judged.told, &judged.verdict)
+        self.judge("the heat is", judged.told, judged.verdict.finds(judged.told))
     }
 
     /// Computes view factors and judges them.
@@ -251,7 +258,7 @@ impl AuditArgs {
         }
         outlet.write(&output::view_factors::judgement(&judged), self, ranks)?;
         self.tell_written(ranks);
-        self.judge("the view factors are", judged.told, &judged.verdict)
+        self.judge("the view factors are", judged.told, judged.verdict.finds(judged.told))
     }
 
     /// Tells which file was written, where one was.
@@ -288,8 +295,8 @@ impl AuditArgs {
     }
 
     /// Fails where a strict run finds more than is told.
-    fn judge(&self, what: &'static str, told: f64, verdict: &Verdict) -> Result<(), CliError> {
-        match self.scene.strict && verdict.finds(told) {
+    fn judge(&self, what: &'static str, told: f64, finds_more: bool) -> Result<(), CliError> {
+        match self.scene.strict && finds_more {
             true => Err(CliError::FoundMore { what, told }),
             false => Ok(()),
         }

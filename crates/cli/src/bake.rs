@@ -10,6 +10,7 @@ use radiosity_output::pictures::image::Image;
 use radiosity_output::pictures::tessellation::tessellation;
 use radiosity_output::pictures::tone::Tone;
 use radiosity_reading::pictures::lightmap::Lightmap;
+use radiosity_reading::pictures::printed_pixels::settings_of_pictures;
 use radiosity_reading::pictures::render::{usual_read, white_balance};
 use radiosity_reading::reader::ReadMode;
 use radiosity_scene::Scene;
@@ -58,7 +59,7 @@ impl Bake<'_> {
         let [width, height] = texture_size(Lightmap::sizes(loaded.scene(), texels as usize));
         let less = "ask for fewer with --size";
         forecast::require_texels(width * height, loaded.scene(), &self.args.method, less, ranks)?;
-        let run = Run::solve(loaded, self.args, ranks)?;
+        let mut run = Run::solve(loaded, self.args, ranks)?;
         let (scene, solution) = (&run.solved.scene, &run.solved.outcome.solution);
         let usual = || usual_read(solution, run.solved.visibility(), texels);
         let read = self.args.method.read(self.read).unwrap_or_else(usual);
@@ -75,6 +76,7 @@ impl Bake<'_> {
         let [width, height] = baked.raster().size();
         let figures = format!("{} triangles, texture of {width} × {height}", baked.triangles());
         let note = rough(self.read, read);
+        run.check_solution(&settings_of_pictures(read))?;
         let files = [self.path, &beside].map(Path::display);
         run.finish(Some(&format!("{} ({figures}) and {}{note}", files[0], files[1])))
     }

@@ -2,7 +2,9 @@
 
 use clap::Args;
 use radiosity_output::table::{Column, Table, Value};
+use radiosity_reading::checked_readings::{CheckedReadings, PrintedReading};
 use radiosity_reading::grid::{Cell, Rates, grid};
+use radiosity_reading::own_error::OwnError;
 use radiosity_reading::read_error::ReadError;
 use radiosity_request::ReadRequest;
 use radiosity_request::cells::require_cells;
@@ -72,35 +74,41 @@ pub(crate) fn run(args: &GridArgs, loaded: Loaded, ranks: &Ranks) -> Result<(), 
     let read = || grid(&run.reader(&reading), sides, reading.rates, &run.work());
     let cells = run.in_threads(read)?;
     let scene = &run.solved.scene;
-    data.write(&scene.bands, "cells", &table(scene, &cells))?;
+    let own = OwnError::of(&run.solved, &reading);
+    let printed = |number: usize| PrintedReading::of_cell(&cells[number], sides, scene, &own);
+    let checked = run.check(cells.len(), printed, run.seconds_to_read(&reading, cells.len()))?;
+    let estimates = cells.iter().map(|cell| own.of_reading(&cell.irradiance, cell.deviation));
+    let errors = CheckedReadings::all_told(checked.as_ref(), estimates);
+    data.write(&scene.bands, "cells", &table(scene, &cells, &errors))?;
+    run.add_checked(checked.map(|own| own.checked));
     run.add_read_error(ReadError::of(cells.iter().map(|cell| cell.deviation)), reading.eps);
     run.finish(data.written())
 }
 
-/// A row per cell: `surface,i,j,E_<band>…,B_<band>…,area,x,y,z` in CSV; in JSON the relative standard
-/// deviation of irradiance that rays gathered, too.
-fn table<'a>(scene: &'a Scene, cells: &'a [Cell]) -> Table<'a> {
+/// A row per cell: `surface,i,j,E_<band>…,B_<band>…,error,area,x,y,z`, with the error that is told of the
+/// irradiance.
+fn table<'a>(scene: &'a Scene, cells: &'a [Cell], errors: &'a [f64]) -> Table<'a> {
     let columns = [
         Column::text("surface"),
         Column::numbers("i", ""),
         Column::numbers("j", ""),
         Column::bands("irradiance", 'E', &scene.bands),
         Column::bands("radiosity", 'B', &scene.bands),
-        Column::several("deviation", [""; 0]),
+        Column::numbers("error", ""),
         Column::numbers("area", ""),
         Column::several("position", ["x", "y", "z"]),
     ];
-    let row = |cell: &'a Cell| {
+    let row = |(cell, error): (&'a Cell, &'a f64)| {
         [
             Value::from(scene.surfaces[cell.surface].name.as_str()),
             cell.index[0].into(),
             cell.index[1].into(),
             Value::numbers(&cell.irradiance),
             Value::numbers(&cell.radiosity),
-            cell.deviation.map(|deviation| deviation.relative).into(),
+            (*error).into(),
             cell.area.into(),
             Value::numbers((cell.position + scene.middle).to_array().to_vec()),
         ]
     };
-    Table::new(columns, cells.iter().map(row))
+    Table::new(columns, cells.iter().zip(errors).map(row))
 }

@@ -26,6 +26,8 @@ pub(crate) struct Loaded {
     pub(crate) content: Content,
     /// The file it was read from.
     file: Option<PathBuf>,
+    /// Whether the verb is strict.
+    pub(crate) is_strict: bool,
     /// When its reading began.
     pub(crate) started: Instant,
     /// Seconds of reading.
@@ -46,7 +48,7 @@ impl Loaded {
     pub(crate) fn lit(source: &SceneArg, ranks: &Ranks) -> Result<Self, CliError> {
         let started = Instant::now();
         let scene = source.request().load_lit(ranks)?;
-        Self::new(source.path(), Content::Scene(scene.into()), started).required()
+        Self::new(source.path(), Content::Scene(scene.into()), started).strictly(source.strict).required()
     }
 
     /// Reads a scene that has light, or a solution file; with a solution file the options in `fixed`, which
@@ -62,7 +64,8 @@ impl Loaded {
         let text = request.text(ranks)?;
         if !is_solution(&text.text()) {
             let scene = request.parse(&text, ranks)?;
-            return Ok(Self::new(source.path(), Content::Scene(scene.into()), started));
+            let loaded = Self::new(source.path(), Content::Scene(scene.into()), started);
+            return Ok(loaded.strictly(source.strict));
         }
         let tolerance = source.tolerance_length.map(|_| "--tolerance-length".to_owned());
         let frame = source.frame.map(|_| "--frame".to_owned());
@@ -70,7 +73,7 @@ impl Loaded {
             return Err(CliError::fixed(&text.origin, option));
         }
         let solved = relit(read(&text)?, &request.later())?;
-        Ok(Self::new(source.path(), Content::Solved(solved.into()), started))
+        Ok(Self::new(source.path(), Content::Solved(solved.into()), started).strictly(source.strict))
     }
 
     /// Reads a solution file, with its light groups at the factors that were set.
@@ -90,7 +93,12 @@ impl Loaded {
 
     fn new(file: Option<&Path>, content: Content, started: Instant) -> Self {
         let file = file.map(Path::to_owned);
-        Self { content, file, started, seconds: started.elapsed().as_secs_f64() }
+        Self { content, file, is_strict: false, started, seconds: started.elapsed().as_secs_f64() }
+    }
+
+    /// As of a verb that is strict, or not.
+    fn strictly(self, is_strict: bool) -> Self {
+        Self { is_strict, ..self }
     }
 
     /// Refuses a scene without light.

@@ -39,8 +39,9 @@ pub(crate) struct SceneArg {
     #[arg(long, value_name = "LENGTH", value_parser = number::<Length>, allow_negative_numbers = true)]
     pub(crate) tolerance_length: Option<f64>,
 
-    /// Refuses a scene of another program that needs repairs; check fails (exit code 1) where anything looks
-    /// wrong, missing light, materials and camera apart
+    /// Ends with exit code 3 where path tracing finds light, heat or view factors to be off by more than is
+    /// told; refuses a scene of another program that needs repairs; check fails (exit code 1) where anything
+    /// looks wrong, missing light, materials and camera apart
     #[arg(long)]
     pub(crate) strict: bool,
 

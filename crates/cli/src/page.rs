@@ -4,6 +4,7 @@ use std::path::Path;
 
 use radiosity_output::documents::viewer::{FirstViewSettings, texels, write_viewer};
 use radiosity_reading::pictures::lightmap::Lightmap;
+use radiosity_reading::pictures::printed_pixels::settings_of_pictures;
 use radiosity_reading::pictures::render::usual_read;
 use radiosity_reading::reader::ReadMode;
 use radiosity_scene::{Material, Scene};
@@ -44,7 +45,7 @@ pub(crate) fn write(
     let reckoned = Lightmap::sizes(scene, texels(scene.light_groups().len().max(1), scene.bands.len()));
     let reckoned = reckoned.iter().map(|[across, down]| across * down).sum();
     forecast::require_texels(reckoned, scene, &args.method, "choose a file ending in .png", ranks)?;
-    let run = Run::solve(loaded, args, ranks)?;
+    let mut run = Run::solve(loaded, args, ranks)?;
     let solution = &run.solved.outcome.solution;
     let parts = solution.groups().len().max(1);
     let texels = texels(parts, solution.bands().len());
@@ -54,6 +55,7 @@ pub(crate) fn write(
     let lightmap = run.in_threads(|| Lightmap::new(&run.solved, read_by, texels, &run.work()))?;
     output.write(|writer| write_viewer(&run.solved, &lightmap, start, writer))?;
     let notes = [rough(read, read_by), left_out(&run.solved.scene)].concat();
+    run.check_solution(&settings_of_pictures(read_by))?;
     run.finish(Some(&format!("{}{notes}", path.display())))
 }
 

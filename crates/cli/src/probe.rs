@@ -4,12 +4,14 @@ use std::path::Path;
 
 use clap::Args;
 use radiosity_output::table::{Column, Table, Value};
+use radiosity_reading::checked_readings::{CheckedReadings, PrintedReading};
+use radiosity_reading::own_error::OwnError;
 use radiosity_reading::plane_figures::PlaneFigures;
 use radiosity_reading::probe::{Probe, ProbeReading, probe};
 use radiosity_reading::read_error::ReadError;
 use radiosity_request::ReadRequest;
 use radiosity_request::aim::at_probes;
-use radiosity_scene::Scene;
+use radiosity_scene::{Scene, SensorPlane};
 use radiosity_solve::studies::adaptation::Goal;
 use radiosity_work::ranks::Ranks;
 
@@ -24,7 +26,7 @@ use crate::{
     planes::PlaneArgs,
     points::Points,
     run::{Run, RunArgs},
-    sensors::Sensors,
+    sensors::{IN_THE_OPEN, Sensors},
 };
 
 /// Solves a scene and prints the irradiance at points or on planes of sensors, in the unit of the scene's
@@ -134,28 +136,53 @@ pub(crate) fn run(
     let read = || probe(&run.reader(&reading), &sensors.probes(), scene.middle, &run.work());
     let readings = run.in_threads(read)?;
     let readings = readings.map_err(|(index, fault)| sensors.unreadable(index, fault))?;
-    data.write(&scene.bands, "points", &table(scene, &sensors, &readings))?;
+    let own = OwnError::of(&run.solved, &reading);
+    let printed = |number: usize| {
+        let name = class(scene, &sensors, &readings, number);
+        PrintedReading::of_probe(&readings[number], scene, &own, name)
+    };
+    let seconds = run.seconds_to_read(&reading, readings.len());
+    let checked = run.check(readings.len(), printed, seconds)?;
+    let estimates = readings.iter().map(|reading| own.of_reading(&reading.irradiance, reading.deviation));
+    let errors = CheckedReadings::all_told(checked.as_ref(), estimates);
+    data.write(&scene.bands, "points", &table(scene, &sensors, &readings, &errors))?;
     let mut written: Vec<&str> = data.written().into_iter().collect();
     if let Some(picture) = &picture {
         picture.write(scene, &sensors, &readings)?;
         written.push(picture.written());
     }
     let planes = sensors.by_plane(&readings);
-    let figures = planes.map(|on| PlaneFigures::of(on.plane, &scene.bands, on.items)).collect();
+    let figures = planes.map(|on| {
+        let errors = &errors[on.first..on.first + on.items.len()];
+        PlaneFigures::of(on.plane, &scene.bands, on.items).erring(errors)
+    });
+    let figures = figures.collect();
+    run.add_checked(checked.map(|own| own.checked));
     run.add_read_error(ReadError::of(readings.iter().map(|reading| reading.deviation)), reading.eps);
     run.add_planes(figures);
     run.finish((!written.is_empty()).then(|| written.join(" and ")).as_deref())
 }
 
-/// A row per point: `x,y,z,nx,ny,nz,E_<band>…,surface,u,v,B_<band>…` in CSV, in JSON with the relative
-/// standard deviation of irradiance that rays gathered; of several planes `plane` comes first.
-fn table<'a>(scene: &'a Scene, sensors: &'a Sensors, readings: &'a [ProbeReading]) -> Table<'a> {
+/// Name of the plane or the surface of a reading.
+fn class<'a>(scene: &'a Scene, sensors: &'a Sensors, readings: &[ProbeReading], number: usize) -> &'a str {
+    let surface = || readings[number].on.as_ref().map(|on| scene.surfaces[on.surface].name.as_str());
+    sensors.plane_of(number).map(SensorPlane::name).or_else(surface).unwrap_or(IN_THE_OPEN)
+}
+
+/// A row per point: `x,y,z,nx,ny,nz,E_<band>…,error,surface,u,v,B_<band>…`, with the error that is told of
+/// the irradiance; of several planes `plane` comes first.
+fn table<'a>(
+    scene: &'a Scene,
+    sensors: &'a Sensors,
+    readings: &'a [ProbeReading],
+    errors: &'a [f64],
+) -> Table<'a> {
     let names = plane_names(sensors, readings);
     let columns = [
         Column::several("position", ["x", "y", "z"]),
         Column::several("normal", ["nx", "ny", "nz"]),
         Column::bands("irradiance", 'E', &scene.bands),
-        Column::several("deviation", [""; 0]),
+        Column::numbers("error", ""),
         Column::text("surface"),
         Column::several("parameters", ["u", "v"]),
         Column::bands("radiosity", 'B', &scene.bands),
@@ -163,18 +190,18 @@ fn table<'a>(scene: &'a Scene, sensors: &'a Sensors, readings: &'a [ProbeReading
     let plane = (!names.is_empty()).then(|| Column::text("plane"));
     let rows = readings.iter().enumerate().map(|(index, reading)| {
         let name = names.get(index).map(|name| Value::from(*name));
-        name.into_iter().chain(values(scene, reading))
+        name.into_iter().chain(values(scene, reading, errors[index]))
     });
     Table::new(plane.into_iter().chain(columns).collect::<Vec<_>>(), rows)
 }
 
-fn values<'a>(scene: &'a Scene, reading: &'a ProbeReading) -> [Value<'a>; 7] {
+fn values<'a>(scene: &'a Scene, reading: &'a ProbeReading, error: f64) -> [Value<'a>; 7] {
     let on = reading.on.as_ref();
     [
         Value::numbers(reading.probe.position.to_array().to_vec()),
         Value::numbers(reading.probe.normal.to_array().to_vec()),
         Value::numbers(&reading.irradiance),
-        reading.deviation.map(|deviation| deviation.relative).into(),
+        error.into(),
         on.map(|on| scene.surfaces[on.surface].name.as_str()).into(),
         on.map(|on| Value::numbers(&on.parameters)).into(),
         on.map(|on| Value::numbers(&on.radiosity)).into(),

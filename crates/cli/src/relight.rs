@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use clap::Args;
+use radiosity_request::{CheckRequest, MethodRequest, ReadRequest};
 use radiosity_work::ranks::Ranks;
 
 use crate::{
@@ -41,6 +42,9 @@ pub(crate) struct RelightArgs {
     pub(crate) output: Option<PathBuf>,
 
     #[command(flatten)]
+    pub(crate) check: CheckRequest,
+
+    #[command(flatten)]
     pub(crate) report: ReportArgs,
 }
 
@@ -49,7 +53,9 @@ pub(crate) fn run(args: &RelightArgs, ranks: &Ranks) -> Result<(), CliError> {
     let loaded = Loaded::solved(&args.solution, &args.settings, ranks)?;
     let path = args.output.clone().unwrap_or_else(|| format!("{}.relit.json", loaded.scene().name).into());
     let output = loaded.reserve(&path, &args.report, ranks)?;
-    let run = Run::read(loaded, &args.report, ranks)?;
+    let mut run = Run::read(loaded, args.check, &args.report, ranks)?;
     let written = SolutionFormat::of(&path).write(&run.solved, &path, &output)?;
+    let reading = ReadRequest::default().reading(&MethodRequest::default(), &run.solved, true);
+    run.check_solution(&reading)?;
     run.finish(Some(&written))
 }

@@ -6,6 +6,8 @@ use clap::Args;
 use radiosity_output::documents::viewer::FirstViewSettings;
 use radiosity_output::files::exr_file::write_exr;
 use radiosity_output::pictures::wireframe::wireframe;
+use radiosity_reading::own_error::OwnError;
+use radiosity_reading::pictures::printed_pixels::{PrintedPixels, settings_of_pictures};
 use radiosity_reading::pictures::raster::Raster;
 use radiosity_reading::pictures::render::{render, usual_read, white_balance};
 use radiosity_reading::pictures::seen_surfaces::SeenSurfaces;
@@ -92,7 +94,7 @@ pub(crate) fn run(args: &RenderArgs, loaded: Loaded, ranks: &Ranks) -> Result<()
     let [quantity, unit] = args.shown(loaded.scene());
     let mut style = args.style.prepare(loaded.scene(), &camera, quantity, unit, ranks)?;
     let wanted = args.wanted(loaded.scene(), ranks)?;
-    let run = Run::solve(loaded, &args.run, ranks)?;
+    let mut run = Run::solve(loaded, &args.run, ranks)?;
     let found = &run.solved.outcome.solution;
     let worth = wanted.map(|goal| importance(found, run.solved.visibility(), &goal, run.threads, ranks));
     let worth = worth.transpose()?;
@@ -107,6 +109,9 @@ pub(crate) fn run(args: &RenderArgs, loaded: Loaded, ranks: &Ranks) -> Result<()
             style.picture(raster, white_balance(solution), borders.as_deref(), seen_surfaces.as_ref())?;
         written += &figures;
         output.write(|writer| picture.write_png(writer))?;
+    }
+    if !args.importance {
+        args.check(&mut run, &shot, &camera)?;
     }
     run.finish(Some(&written))
 }
@@ -151,6 +156,20 @@ impl RenderArgs {
             let seen_surfaces = self.style.false_colour.then(seen_surfaces);
             Shot { read, raster: take(solution, visibility), borders, seen_surfaces }
         })
+    }
+
+    /// Checks a picture of radiosity by its pixels, one of irradiance by points of surfaces.
+    fn check(&self, run: &mut Run, shot: &Shot, camera: &Camera) -> Result<(), CliError> {
+        let settings = settings_of_pictures(shot.read);
+        if self.style.show == Quantity::Irradiance {
+            return run.check_solution(&settings);
+        }
+        let (scene, own) = (&run.solved.scene, OwnError::of(&run.solved, &settings));
+        let pixels = PrintedPixels::of(&shot.raster, camera, scene, run.solved.visibility(), own);
+        let seconds = run.seconds_to_read(&settings, pixels.gathered_points());
+        let checked = run.check(pixels.count(), |number| pixels.reading(number), seconds)?;
+        run.add_checked(checked.map(|own| own.checked));
+        Ok(())
     }
 
     /// The light in textures instead of a picture.

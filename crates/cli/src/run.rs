@@ -1,5 +1,6 @@
 //! The run of every verb that needs light: it solves first, with progress and a report.
 
+mod check;
 mod summary;
 
 use std::fmt::Debug;
@@ -74,6 +75,7 @@ pub(crate) struct Run {
     /// Threads to work with.
     pub(crate) threads: usize,
     report: Report,
+    check: CheckRequest,
     start: Start,
     ready: Instant,
 }
@@ -87,6 +89,8 @@ struct Start {
     report_file: Option<OutputFile>,
     /// Whether the solution was read from a file.
     is_saved: bool,
+    /// Whether the run fails where a check finds more than the method tells.
+    is_strict: bool,
     started: Instant,
     /// Seconds of reading.
     seconds: f64,
@@ -106,6 +110,7 @@ impl Start {
             deadline,
             report_file: report.reserve(ranks)?.map(|file| loaded.apart(file)).transpose()?,
             is_saved: matches!(loaded.content, Content::Solved(_)),
+            is_strict: loaded.is_strict,
             started: loaded.started,
             seconds: loaded.seconds,
         })
@@ -152,6 +157,7 @@ impl Run {
         ranks: &Ranks,
     ) -> Result<Self, CliError> {
         args.method.check()?;
+        args.check.check(&loaded.options(&args.method, ranks))?;
         let start = Start::of(&loaded, &args.report, deadline, ranks)?;
         let solved = match (loaded.content, goal) {
             (Content::Solved(solved), _) => *solved,
@@ -160,23 +166,31 @@ impl Run {
             }
             (Content::Scene(scene), None) => Solved::new(*scene, options, &start.work())?,
         };
-        Ok(Self::new(solved, start, options.threads))
+        Ok(Self::new(solved, start, args.check, options.threads))
     }
 
     /// Takes a solution file as it was read.
-    pub(crate) fn read(loaded: Loaded, report: &ReportArgs, ranks: &Ranks) -> Result<Self, CliError> {
+    pub(crate) fn read(
+        loaded: Loaded,
+        check: CheckRequest,
+        report: &ReportArgs,
+        ranks: &Ranks,
+    ) -> Result<Self, CliError> {
         let start = Start::of(&loaded, report, None, ranks)?;
         match loaded.content {
-            Content::Solved(solved) => Ok(Self::new(*solved, start, 0)),
+            Content::Solved(solved) => {
+                check.check(&solved.options)?;
+                Ok(Self::new(*solved, start, check, 0))
+            }
             Content::Scene(_) => unreachable!("a solution file was read"),
         }
     }
 
-    fn new(solved: Solved, start: Start, threads: usize) -> Self {
+    fn new(solved: Solved, start: Start, check: CheckRequest, threads: usize) -> Self {
         let threads = start.ranks.threads(threads);
         let mut report = Report::new(&solved, threads);
         report.seconds.load = start.seconds;
-        Self { solved, threads, report, start, ready: Instant::now() }
+        Self { solved, threads, report, check, start, ready: Instant::now() }
     }
 
     /// Whether the solution was read from a file.
@@ -220,9 +234,9 @@ impl Run {
     }
 
     /// Ends the run: times the output, writes the summary to stderr, writes the report; fails where a wanted
-    /// accuracy was not reached.
+    /// accuracy was not reached, and a strict run where more is found than the method tells.
     pub(crate) fn finish(mut self, written: Option<&str>) -> Result<(), CliError> {
-        let Start { ranks, progress, report_file, is_saved, started, .. } = &self.start;
+        let Start { ranks, progress, report_file, is_saved, is_strict, started, .. } = &self.start;
         if report_file.is_some() || progress.verbose {
             self.report.compare_joints(&self.solved);
         }
@@ -241,7 +255,12 @@ impl Run {
             Some(achieved) if !is_saved && self.solved.outcome.converged && !achieved.reached() => {
                 Err(CliError::Missed { estimate: achieved.estimate })
             }
-            _ => Ok(()),
+            _ => match &self.report.checked {
+                Some(checked) if *is_strict && checked.finds_more() => {
+                    Err(CliError::FoundMore { what: "the light is", told: checked.own_error })
+                }
+                _ => Ok(()),
+            },
         }
     }
 }

@@ -5,6 +5,9 @@ use radiosity_scene::SensorPlane;
 
 use crate::{error::CliError, points::Points};
 
+/// Name, among those of surfaces and planes, of points that lie on none.
+pub(crate) const IN_THE_OPEN: &str = "points in the open";
+
 /// Sensors: points of a file, or planes one after the other.
 #[derive(Debug)]
 pub(crate) enum Sensors {
@@ -40,16 +43,23 @@ impl Sensors {
         })
     }
 
+    /// The plane of the sensor at `index`; none of a point of a file.
+    pub(crate) fn plane_of(&self, index: usize) -> Option<&SensorPlane> {
+        let last = self.planes().iter().scan(0, |next, plane| {
+            *next += plane.counts().iter().product::<usize>();
+            Some((*next, plane))
+        });
+        last.into_iter().find(|(next, _)| index < *next).map(|(_, plane)| plane)
+    }
+
     /// The error where the point at `index` cannot be read.
     pub(crate) fn unreadable(&self, index: usize, fault: ProbeFault) -> CliError {
         let cure = "the polynomials are known on surfaces alone, along their normals: choose --read gather";
         match self {
             Self::Points(points) => points.error(points.lines[index], fault.to_string(), cure),
             Self::Planes(_) => {
-                let probes = self.probes();
-                let plane = self.by_plane(&probes).find(|on| index < on.first + on.items.len());
-                let name = plane.map_or("", |on| on.plane.name());
-                let [x, y, z] = probes[index].position.to_array();
+                let name = self.plane_of(index).map_or("", SensorPlane::name);
+                let [x, y, z] = self.probes()[index].position.to_array();
                 let place = format!("plane {name:?}: the sensor at ({x:.6}, {y:.6}, {z:.6})");
                 CliError::refused(format!("{place}: {fault}"), cure)
             }

@@ -8,13 +8,12 @@ use radiosity_scene::Scene;
 use radiosity_work::Work;
 
 use super::Heat;
-use super::cost::seconds_of_run;
 use super::judging::JudgedHeat;
 
 impl Heat {
     /// About the seconds that the balance took two threads, from counts of its work.
     pub fn seconds(&self) -> f64 {
-        seconds_of_run(&self.outcome)
+        self.outcome.seconds_by_counts()
     }
 
     /// Surfaces for a referee to look at, at most `most`: evenly those that can be judged.

@@ -29,9 +29,9 @@
 use radiosity_core::dot;
 use radiosity_elements::{Elements, cuts};
 use radiosity_scene::Scene;
+use radiosity_solve::driver::cost::seconds_of_samples;
 use radiosity_solve::{Model, Outcome};
 
-use super::cost::{seconds_of_pairs, seconds_of_run, seconds_of_samples};
 use super::roles::{Role, Roles};
 
 /// Seconds that pairs of elements of the cut may take, by counts: always these, and as a part of what the balance took.
@@ -138,8 +138,8 @@ impl Time {
         Self {
             elements: count,
             terms: terms(order),
-            near: (seconds_of_pairs(outcome) - far).max(0.0),
-            most: LEAST.max(OF_A_RUN * seconds_of_run(outcome)),
+            near: (seconds_of_samples(outcome.samples as f64) - far).max(0.0),
+            most: LEAST.max(OF_A_RUN * outcome.seconds_by_counts()),
         }
     }
 

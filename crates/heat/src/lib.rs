@@ -22,7 +22,7 @@
 //!
 //! In order: [`HeatError`], `black_body`, `roles` (what is known of each surface), `coats` (scenes with the
 //! coatings of heat), `closure` (rows that sum to 1), `levels`, `figures` (of each surface), `field` (σ T⁴
-//! over surfaces), `shields`, `conductances`, `cost` (seconds from counts), `cut` (elements that tell the
+//! over surfaces), `shields`, `conductances`, `cut` (elements that tell the
 //! error), `forecast`, [`Heat`], the balance, [`judging`], what a referee says of it, and `checking`, its errors
 //! made true by that.
 //!
@@ -38,7 +38,6 @@ mod figures;
 mod field;
 mod shields;
 mod conductances;
-mod cost;
 mod cut;
 mod forecast;
 pub mod judging;

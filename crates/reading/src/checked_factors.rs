@@ -5,8 +5,8 @@ use radiosity_scene::Scene;
 use radiosity_solve::view_factors::{Options, ViewFactors};
 use radiosity_work::Work;
 
+use crate::checked_readings::evenly;
 use crate::judged_factors::JudgedFactors;
-use crate::judging::evenly;
 
 /// Errors of view factors.
 #[derive(Clone, Debug)]

@@ -7,3 +7,4 @@ pub mod raster;
 mod frame_light;
 pub mod render;
 pub mod lightmap;
+pub mod printed_pixels;

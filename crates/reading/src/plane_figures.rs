@@ -20,6 +20,10 @@ pub struct PlaneFigures {
     pub points: usize,
     /// Number of sensors that get no light: those within a body, as a rule.
     pub dark: usize,
+    /// Error that is told of the mean, in the unit of the readings, root mean square over the bands: that of
+    /// their sensors, which it does not exceed. None where none is told.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub error: Option<f64>,
     /// Figures by band.
     #[serde(flatten)]
     pub figures: BandFigures,
@@ -58,7 +62,20 @@ impl PlaneFigures {
             1 => BandFigures::One(figures(0)),
             _ => BandFigures::Several { bands: bands.iter().enumerate().map(named).collect() },
         };
-        Self { name: plane.name().to_owned(), points: readings.len(), dark: dark(readings), figures }
+        Self {
+            name: plane.name().to_owned(),
+            points: readings.len(),
+            dark: dark(readings),
+            error: None,
+            figures,
+        }
+    }
+
+    /// The figures with the error that follows from those of the sensors.
+    #[must_use]
+    pub fn erring(self, errors: &[f64]) -> Self {
+        let squares: f64 = errors.iter().map(|error| error * error).sum();
+        Self { error: Some((squares / errors.len().max(1) as f64).sqrt()), ..self }
     }
 
     /// A warning where sensors get no light, which a plane that goes through furniture has.

@@ -2,9 +2,10 @@
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
+use radiosity_audit::Spot;
 use radiosity_geom::DVec3;
 use radiosity_light::receiver_point::ReceiverPoint;
-use radiosity_scene::SensorPlane;
+use radiosity_scene::{Scene, SensorPlane};
 use radiosity_solve::gather::read_irradiance::{Deviation, ReadIrradiance};
 use radiosity_solve::gather::surface_point::SurfacePoint;
 use radiosity_solve::solution::SurfacePlace;
@@ -38,6 +39,11 @@ impl Probe {
         let largest = direction.abs().max_element();
         let is_some = direction.is_finite() && largest > 0.0;
         is_some.then(|| Self { position, normal: (direction / largest).normalize() })
+    }
+
+    /// The spot that a referee reads in its place.
+    pub fn spot(&self, scene: &Scene) -> Spot {
+        Spot::Point { position: self.position - scene.middle, normal: self.normal }
     }
 
     /// The sensors of a plane, in order.

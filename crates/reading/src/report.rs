@@ -2,6 +2,7 @@
 
 mod warnings;
 
+use radiosity_audit::Checked;
 use radiosity_elements::Elements;
 use radiosity_kernel::PairCounts;
 use radiosity_published::hierarchy::Counts;
@@ -17,6 +18,7 @@ use crate::plane_figures::PlaneFigures;
 use crate::rank_work::{RanksWork, peak_bytes};
 use crate::read_error::ReadError;
 pub use crate::warning::Warning;
+pub use warnings::underestimated;
 use warnings::warnings;
 
 /// The report of a run: what was done, its cost, and self-checks.
@@ -104,6 +106,9 @@ pub struct Report {
     pub planes: Vec<PlaneFigures>,
     /// Errors of light that rays gathered at points.
     pub read_error: Option<ReadError>,
+    /// Error that a referee found in what was printed, where it was checked.
+    #[serde(flatten)]
+    pub checked: Option<Checked>,
     /// Warnings to the user.
     pub warnings: Vec<Warning>,
 }
@@ -216,6 +221,7 @@ impl Report {
             joint_jump_max: None,
             planes: Vec::new(),
             read_error: None,
+            checked: None,
             warnings: warnings(solved),
         }
     }
@@ -225,6 +231,12 @@ impl Report {
     pub fn add_read_error(&mut self, error: Option<ReadError>, asked: f64) {
         self.warnings.extend(error.and_then(|error| error.warning(asked)));
         self.read_error = error;
+    }
+
+    /// Adds what a referee says of what was printed, with a warning where that is more than the method tells.
+    pub fn add_checked(&mut self, checked: Checked) {
+        self.warnings.extend(underestimated(&checked));
+        self.checked = Some(checked);
     }
 
     /// Looks for the largest jump of irradiance between surfaces that go on smoothly.

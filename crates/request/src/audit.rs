@@ -2,15 +2,16 @@
 
 use radiosity_audit::Effort;
 use radiosity_reading::checked_factors::CheckedFactors;
-use radiosity_reading::judging::{Judging, evenly, told};
-use radiosity_reading::quality::ReadSettings;
+use radiosity_reading::checked_readings::{CheckEffort, evenly};
 use radiosity_scene::Scene;
-use radiosity_solve::solved::Solved;
+use radiosity_solve::Options;
 use radiosity_solve::view_factors::{self, ViewFactors};
 use radiosity_visibility::Shadows;
+use radiosity_work::wording::{Wording, option, set, words};
 use serde::Deserialize;
 
 use super::ranges::{Number, Readings, Seconds, Seed};
+use super::refusal::Refusal;
 
 /// Seconds of looking unless told otherwise. Chosen: most rooms then show errors of half a percent.
 const SECONDS: f64 = 2.0;
@@ -43,18 +44,40 @@ pub struct AuditRequest {
 #[serde(default)]
 #[cfg_attr(feature = "clap", derive(clap::Args))]
 pub struct CheckRequest {
-    /// Seconds that about two threads take to check what is printed by path tracing; the number of rays follows
-    /// from this and from counts of the scene [default: a tenth of the run, 0.1 to 5]
+    /// Seconds that about two threads take to check what is printed by path tracing; the number of rays
+    /// follows from this and from counts of the scene [default: a tenth of the run, 0.1 to 5]
     #[cfg_attr(feature = "clap", arg(long, value_name = "SECONDS", allow_negative_numbers = true))]
     pub audit: Option<Number<Seconds>>,
 }
 
 impl CheckRequest {
-    /// Readings that are checked. Chosen: an L2 mean of 64 is known to a tenth of itself.
+    /// Numbers that are checked at the most. Chosen: an L2 mean of 64 is known to a tenth of itself.
     pub const READINGS: usize = READINGS;
 
-    /// Walks for each of so many readings of a scene, beside a run of about so many seconds, which follow from counts
-    /// of its work.
+    /// Refuses a check that was typed of light that a referee does not know.
+    ///
+    /// # Errors
+    /// Where the light that these options find is not all light with its shadows.
+    pub fn check(&self, options: &Options) -> Result<(), Refusal> {
+        let Some(limit) = other_physics(options).filter(|_| self.audit.is_some()) else { return Ok(()) };
+        Err(Refusal::new(
+            limit.clone() + " finds other light than path tracing, which " + option("audit") + " asks for",
+            words("leave out ") + option("audit") + ", or " + limit,
+        ))
+    }
+
+    /// What is checked of `count` numbers that are printed of a scene that was solved with these options,
+    /// beside a run of about so many seconds, which follow from counts of its work; None where a referee does
+    /// not know that light, or nothing emits.
+    pub fn of_light(&self, run: f64, count: usize, scene: &Scene, options: &Options) -> Option<CheckEffort> {
+        if other_physics(options).is_some() || scene.require_light().is_err() {
+            return None;
+        }
+        let readings = Self::READINGS.min(count);
+        Some(CheckEffort { readings, effort: self.effort(run, readings, scene), seed: 0 })
+    }
+
+    /// Walks for each of so many numbers that are printed of a scene, beside a run of about so many seconds.
     pub fn effort(&self, run: f64, readings: usize, scene: &Scene) -> Effort {
         match self.audit {
             Some(seconds) => Effort::of_seconds(f64::from(seconds), readings, scene),
@@ -77,12 +100,21 @@ impl CheckRequest {
     }
 }
 
+/// The option by which light is not all light with its shadows, if there is one.
+fn other_physics(options: &Options) -> Option<Wording> {
+    let bounces = options.bounces.map(|count| set("bounces", count));
+    let shots = options.shots.map(|shots| set("shots", shots.count));
+    let mask = options.masks.map(|_| set("shadows", "mask"));
+    let off = (options.shadows == Shadows::Off).then(|| set("shadows", "off"));
+    let kernel = options.kernel.map(|_| option("kernel") + " with the rules of 1993");
+    bounces.or(shots).or(mask).or(off).or(kernel)
+}
+
 impl AuditRequest {
-    /// The readings to be judged of a solution that is read with `settings`.
-    pub fn judging(&self, solved: &Solved, settings: &ReadSettings) -> Judging {
+    /// The readings to be judged of a solution of `scene`.
+    pub fn judging(&self, scene: &Scene) -> CheckEffort {
         let readings = self.readings();
-        let effort = self.effort(readings, &solved.scene);
-        Judging { readings, effort, seed: self.seed(), told: told(solved, settings) }
+        CheckEffort { readings, effort: self.effort(readings, scene), seed: self.seed() }
     }
 
     /// Walks for each of so many readings of a scene.

@@ -54,6 +54,7 @@ mod subject;
 mod assembly;
 mod first_light;
 mod outcome;
+pub mod cost;
 mod shooting;
 mod band_systems;
 mod ready;

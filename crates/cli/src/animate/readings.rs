@@ -1,9 +1,12 @@
 //! Irradiance at points, frame after frame.
 
 use radiosity_output::table::{Column, Table, Value};
+use radiosity_reading::checked_readings::PrintedReading;
+use radiosity_reading::own_error::OwnError;
 use radiosity_reading::probe::{ProbeReading, probe};
 use radiosity_reading::quality;
 use radiosity_reading::read_error::ReadError;
+use radiosity_solve::Options;
 use radiosity_solve::animation::frame::Frame;
 use radiosity_work::Work;
 use radiosity_work::ranks::Ranks;
@@ -11,7 +14,7 @@ use radiosity_work::ranks::Ranks;
 use crate::destination::Destination;
 use crate::error::CliError;
 use crate::points::{COLUMNS, Points};
-use crate::sensors::Sensors;
+use crate::sensors::{IN_THE_OPEN, Sensors};
 
 /// The readings of all frames so far.
 #[derive(Debug)]
@@ -27,6 +30,8 @@ struct FrameReadings {
     /// Number of the frame.
     frame: usize,
     readings: Vec<ProbeReading>,
+    /// The method's own estimates of their errors.
+    own: OwnError,
 }
 
 impl Readings {
@@ -35,13 +40,34 @@ impl Readings {
         Self { sensors: Sensors::Points(points), how, frames: Vec::new() }
     }
 
-    /// Reads the points in a frame.
-    pub(super) fn read(&mut self, number: usize, frame: &Frame, ranks: &Ranks) -> Result<(), CliError> {
+    /// Reads the points in a frame that was solved with these options.
+    pub(super) fn read(
+        &mut self,
+        number: usize,
+        frame: &Frame,
+        options: &Options,
+        ranks: &Ranks,
+    ) -> Result<(), CliError> {
         let reader = self.how.reader(&frame.solution, &frame.visibility);
         let read = probe(&reader, &self.sensors.probes(), frame.scene.middle, &Work::among(ranks));
         let read = read.map_err(|(index, fault)| self.sensors.unreadable(index, fault))?;
-        self.frames.push(FrameReadings { frame: number, readings: read });
+        let own = own_error(frame, options, &self.how);
+        self.frames.push(FrameReadings { frame: number, readings: read, own });
         Ok(())
+    }
+
+    /// A reading of the last frame as a referee judges it, and their number.
+    pub(super) fn printed(&self, number: usize, frame: &Frame) -> Option<PrintedReading> {
+        let FrameReadings { readings, own, .. } = self.frames.last()?;
+        let reading = readings.get(number)?;
+        let name =
+            reading.on.as_ref().map_or(IN_THE_OPEN, |on| frame.scene.surfaces[on.surface].name.as_str());
+        PrintedReading::of_probe(reading, &frame.scene, own, name)
+    }
+
+    /// Number of the points.
+    pub(super) fn count(&self) -> usize {
+        self.sensors.probes().len()
     }
 
     /// The error of readings by rays, of all frames.
@@ -50,21 +76,31 @@ impl Readings {
         ReadError::of(readings.map(|reading| reading.deviation))
     }
 
-    /// Prints `frame,point,x,y,z,nx,ny,nz,E_<band>…`, a row for each frame and point.
-    pub(super) fn write(&self, bands: &[String], ranks: &Ranks) -> Result<(), CliError> {
+    /// Prints `frame,point,x,y,z,nx,ny,nz,E_<band>…,error`, a row for each frame and point, with own
+    /// estimates of errors multiplied by `factor`.
+    pub(super) fn write(&self, bands: &[String], factor: f64, ranks: &Ranks) -> Result<(), CliError> {
         let columns = [
             Column::numbers("frame", ""),
             Column::numbers("point", ""),
             Column::several("place", COLUMNS),
             Column::bands("irradiance", 'E', bands),
+            Column::numbers("error", ""),
         ];
-        let rows = self.frames.iter().flat_map(|FrameReadings { frame, readings }| {
-            readings.iter().enumerate().map(move |(point, ProbeReading { probe, irradiance, .. })| {
+        let rows = self.frames.iter().flat_map(|FrameReadings { frame, readings, own }| {
+            readings.iter().enumerate().map(move |(point, reading)| {
+                let ProbeReading { probe, irradiance, deviation, .. } = reading;
                 let place = [probe.position.to_array(), probe.normal.to_array()].concat();
-                [Value::from(*frame), point.into(), Value::numbers(place), Value::numbers(irradiance)]
+                let error = factor * own.of_reading(irradiance, *deviation);
+                let place = Value::numbers(place);
+                [Value::from(*frame), point.into(), place, Value::numbers(irradiance), error.into()]
             })
         });
         let table = Table::new(columns, rows);
         Destination::of(None, ranks).write(|writer| table.listed().csv(writer))
     }
+}
+
+/// Own estimates of errors of a frame that was solved with these options and is read with `how`.
+pub(super) fn own_error(frame: &Frame, options: &Options, how: &quality::ReadSettings) -> OwnError {
+    OwnError::by(options, &frame.visibility, (frame.rays > 0.0).then_some(frame.rays), how)
 }

@@ -4,7 +4,9 @@ use radiosity_output::documents::plan_page::plan_page;
 use radiosity_output::documents::report_page::{LightPart, PICTURE, ReportedPlane, plan_name};
 use radiosity_output::drawings::picture::Picture;
 use radiosity_output::pictures::image::Image;
+use radiosity_reading::checked_readings::{CheckedReadings, PrintedReading};
 use radiosity_reading::grid::grid;
+use radiosity_reading::own_error::OwnError;
 use radiosity_reading::pictures::render::{render, usual_read, white_balance};
 use radiosity_reading::plane_figures::PlaneFigures;
 use radiosity_reading::probe::{ProbeReading, probe};
@@ -14,7 +16,7 @@ use radiosity_reading::read_error::ReadError;
 use radiosity_reading::surface_light::SurfaceLight;
 use radiosity_reading::uniformity::Uniformity;
 use radiosity_request::picture::{SAMPLES, pixels, require_pixels, sized};
-use radiosity_scene::{Camera, Scene};
+use radiosity_scene::{Camera, Scene, SensorPlane};
 use radiosity_solve::solved::Solved;
 use radiosity_work::ranks::Ranks;
 
@@ -92,9 +94,26 @@ impl<'a> ReportLight<'a> {
         let picture = self.camera.as_ref().map(|camera| picture(&run, camera)).transpose()?;
         let surfaces = SurfaceLight::of(&outcome.solution, &cells);
         let planes = self.sensors.by_plane(&sensed);
-        let figures = planes.map(|on| PlaneFigures::of(on.plane, &scene.bands, on.items)).collect();
+        let own = OwnError::of(&run.solved, &reading);
+        let printed = |number: usize| match sensed.get(number) {
+            Some(reading) => {
+                let name = self.sensors.plane_of(number).map_or("", SensorPlane::name);
+                PrintedReading::of_probe(reading, scene, &own, name)
+            }
+            None => PrintedReading::of_cell(&cells[number - sensed.len()], self.cells, scene, &own),
+        };
+        let count = sensed.len() + cells.len();
+        let checked = run.check(count, printed, run.seconds_to_read(&reading, count))?;
+        let estimates = sensed.iter().map(|reading| own.of_reading(&reading.irradiance, reading.deviation));
+        let errors = CheckedReadings::all_told(checked.as_ref(), estimates);
+        let figures = planes.map(|on| {
+            let errors = &errors[on.first..on.first + on.items.len()];
+            PlaneFigures::of(on.plane, &scene.bands, on.items).erring(errors)
+        });
+        let figures = figures.collect();
         let deviations = sensed.iter().map(|reading| reading.deviation);
         let error = ReadError::of(deviations.chain(cells.iter().map(|cell| cell.deviation)));
+        run.add_checked(checked.map(|own| own.checked));
         run.add_read_error(error, reading.eps);
         run.add_planes(figures);
         Ok((run, ReadLight { reading, picture, sensed, surfaces }))

@@ -1,5 +1,6 @@
 //! The summary of a run, in lines.
 
+use radiosity_audit::Checked;
 use radiosity_published::bases::Basis;
 use radiosity_published::hierarchy::Counts;
 use radiosity_reading::checkpoint::Checkpoint;
@@ -135,6 +136,7 @@ impl Run {
         let told = |estimate| format!("estimated relative error of {} {estimate:.1e}", self.estimated());
         lines.extend(estimate.map(told));
         lines.extend(self.report.read_error.map(|error| error.to_string()));
+        lines.extend(self.report.checked.as_ref().map(Checked::to_string));
         if self.start.progress.verbose {
             lines.extend(self.report.functionals.iter().map(minimum));
             lines.push(format!("pairs: {:?}", self.report.pairs));

@@ -1,5 +1,6 @@
 //! Warnings of a report.
 
+use radiosity_audit::Checked;
 use radiosity_core::dot;
 use radiosity_kernel::WorstError;
 use radiosity_scene::Scene;
@@ -8,6 +9,7 @@ use radiosity_solve::solved::Solved;
 use radiosity_solve::studies::adaptation::{Achieved, EndReason};
 use radiosity_solve::{LightMethod, Options, Outcome};
 use radiosity_visibility::inspection::Inspection;
+use radiosity_work::digits::significant;
 use radiosity_work::wording::{Wording, option, set, words};
 
 use crate::accuracy_warning::missed;
@@ -31,6 +33,19 @@ pub(super) fn warnings(solved: &Solved) -> Vec<Warning> {
         .chain(geometry(scene, outcome))
         .chain(unused_masks(scene, options))
         .collect()
+}
+
+/// A warning where a referee found more than the method's own estimates tell, with the names of the places.
+pub fn underestimated(checked: &Checked) -> Option<Warning> {
+    let message = |finding: &str| {
+        let own = significant(100.0 * checked.own_error, 2);
+        words(format!(
+            "the method tells an error of {own} %, and path tracing finds more: {finding}; ask for an "
+        )) + option("accuracy")
+            + ", or a smaller "
+            + option("eps")
+    };
+    checked.finding().map(|finding| Warning::general("error-underestimated", message(finding)))
 }
 
 /// Faults that an inspection finds in a scene that loses power, or elements of which send more than they

@@ -64,18 +64,6 @@ pub struct Outcome {
     pub seconds: Stages,
 }
 
-/// Seconds of one core for a ray, and for a term of a rule with what hides it. Measured in rooms.
-const RAY: f64 = 0.5e-6;
-const TERM: f64 = 0.1e-6;
-
-impl Outcome {
-    /// About the seconds of one core that its transfers took, from counts of work: the same wherever it is done.
-    pub fn seconds_by_counts(&self) -> f64 {
-        let rays = self.rays + self.sampling.map_or(0, |sampling| sampling.rays);
-        rays as f64 * RAY + self.samples as f64 * TERM
-    }
-}
-
 /// The light of a frame, without self-checks.
 #[derive(Debug)]
 pub(crate) struct FrameLight {

@@ -3,8 +3,7 @@
 use std::borrow::Cow;
 use std::io::{self, Write};
 
-use radiosity_audit::Verdict;
-use radiosity_reading::judging::checked;
+use radiosity_audit::{Checked, Verdict};
 use radiosity_work::digits::{decimals, significant};
 use serde::Serialize;
 
@@ -24,8 +23,8 @@ const MILLION: f64 = 1e6;
 pub struct Judgement<'a> {
     /// The verdict.
     pub(super) verdict: &'a Verdict,
-    /// Relative error that the run tells.
-    pub(super) told: f64,
+    /// What it makes of the errors that the run tells by itself.
+    pub(super) checked: Cow<'a, Checked>,
     /// Plural noun of what is judged.
     pub(super) of: &'static str,
     /// Words for the thing that has so many walks.
@@ -53,12 +52,12 @@ pub struct Judgement<'a> {
 impl Judgement<'_> {
     /// The verdict in a line, and a line about what is more than the run tells.
     pub fn summary(&self) -> Vec<String> {
-        [checked(self.verdict, self.of)].into_iter().chain(self.finding()).collect()
+        [self.checked.to_string()].into_iter().chain(self.finding()).collect()
     }
 
     /// For people: the verdict in lines, the worst, and the largest signed means.
     pub fn text(&self) -> String {
-        let mut lines = vec![checked(self.verdict, self.of), self.effort()];
+        let mut lines = vec![self.checked.to_string(), self.effort()];
         lines.extend(self.unread());
         lines.extend(self.finding());
         let (head, of, units) = (lines.join("\n"), self.of, &self.units);
@@ -69,8 +68,8 @@ impl Judgement<'_> {
         }
     }
 
-    /// CSV with a row for each printed number, with what was found, its standard error, the relative difference
-    /// and that difference in standard errors.
+    /// CSV with a row for each printed number, with what was found, its standard error, the relative
+    /// difference and that difference in standard errors.
     ///
     /// # Errors
     /// Errors of writing to `out`.
@@ -90,8 +89,9 @@ impl Judgement<'_> {
             error: verdict.error(),
             error_sd: verdict.error_sd(),
             visible: verdict.visible(),
-            told: self.told,
-            finds_more: verdict.finds(self.told),
+            told: self.checked.own_error,
+            finds_more: self.checked.finds_more(),
+            error_factor: self.checked.error_factor,
             readings: verdict.readings,
             unread: self.unread,
             rays: verdict.rays,
@@ -112,7 +112,7 @@ impl Judgement<'_> {
             self.walks,
             self.walks_of,
             percent(self.verdict.visible()),
-            percent(self.told)
+            percent(self.checked.own_error)
         )
     }
 
@@ -123,23 +123,8 @@ impl Judgement<'_> {
 
     /// The line about a verdict that finds more than the run tells.
     fn finding(&self) -> Option<String> {
-        let (verdict, told) = (self.verdict, self.told);
-        if !verdict.finds(told) {
-            return None;
-        }
-        let all = verdict.exceeds(told).then(|| {
-            format!(
-                "all {} together by {} % (± {} %)",
-                self.of,
-                percent(verdict.error()),
-                percent(verdict.error_sd())
-            )
-        });
-        let found = verdict.signed.iter().filter(|own| own.finds(told)).take(SIGNED);
-        let signed = found
-            .map(|own| format!("\"{}\" by {} % (± {} %)", own.of, percent(own.relative), percent(own.error)));
-        let parts: Vec<String> = all.into_iter().chain(signed).collect();
-        Some(format!("more than the run tells, {} %: {}", percent(told), parts.join(", ")))
+        let found = self.checked.finding()?;
+        Some(format!("more than the run tells, {} %: {found}", percent(self.checked.own_error)))
     }
 }
 
@@ -191,6 +176,7 @@ struct Document<'a, S, W, P> {
     visible: f64,
     told: f64,
     finds_more: bool,
+    error_factor: f64,
     readings: usize,
     unread: usize,
     rays: u64,

@@ -1,6 +1,9 @@
 //! Judged light: readings at places.
 
-use radiosity_reading::judging::{JudgedReading, JudgedRun, Judging};
+use std::borrow::Cow;
+
+use radiosity_reading::checked_readings::CheckEffort;
+use radiosity_reading::judging::{JudgedReading, JudgedRun};
 use radiosity_scene::Scene;
 use radiosity_work::digits::{decimals, error, significant};
 
@@ -8,13 +11,13 @@ use super::judgement::{DIGITS, Judgement, finite, mark, signed_percent};
 use crate::table::{Column, Table, Value};
 
 /// The judgement on light.
-pub fn judgement<'a>(scene: &'a Scene, judging: &Judging, run: &'a JudgedRun) -> Judgement<'a> {
+pub fn judgement<'a>(scene: &'a Scene, effort: &CheckEffort, run: &'a JudgedRun) -> Judgement<'a> {
     Judgement {
         verdict: &run.verdict,
-        told: judging.told,
+        checked: Cow::Borrowed(&run.checked),
         of: "readings",
         walks_of: "reading",
-        walks: judging.effort.walks(),
+        walks: effort.effort.walks(),
         unread: run.unread,
         unread_because: "places could not be read: by polynomials there is light on surfaces alone",
         bands: &scene.bands,

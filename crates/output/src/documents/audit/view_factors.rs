@@ -1,5 +1,8 @@
 //! Judged view factors.
 
+use std::borrow::Cow;
+
+use radiosity_audit::{Checked, Judged};
 use radiosity_reading::judged_factors::{JudgedFactor, JudgedFactors};
 use radiosity_work::digits::{decimals, error, significant};
 
@@ -10,7 +13,7 @@ use crate::table::{Column, Table, Value};
 pub fn judgement(run: &JudgedFactors) -> Judgement<'_> {
     Judgement {
         verdict: &run.verdict,
-        told: run.told,
+        checked: Cow::Owned(checked(run)),
         of: "view factors",
         walks_of: "surface",
         walks: run.rays,
@@ -23,6 +26,11 @@ pub fn judgement(run: &JudgedFactors) -> Judgement<'_> {
         has_means: true,
         all: Table::new(columns(), run.factors.iter().map(row)),
     }
+}
+
+fn checked(run: &JudgedFactors) -> Checked {
+    let judged: Vec<Judged> = run.factors.iter().map(|own| own.judged.clone()).collect();
+    Checked::with(&judged, run.told, &run.verdict, "view factors")
 }
 
 fn worst(run: &JudgedFactors) -> Table<'static> {

@@ -58,5 +58,10 @@ fn rows(scene: &Scene, light: &LightPart) -> Vec<[String; 3]> {
             "0",
         )
     }));
+    rows.extend(report.checked.as_ref().map(|checked| {
+        let line = checked.to_string();
+        let (how, found) = line.split_once(": ").unwrap_or((&line, ""));
+        row(&format!("light of sensors and cells, {how}"), found.to_owned(), "no error seen")
+    }));
     rows
 }

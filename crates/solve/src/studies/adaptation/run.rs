@@ -11,12 +11,10 @@ use radiosity_work::{Progress, Stage, Work};
 use super::error_estimate::ErrorEstimate;
 use super::estimate::estimate;
 use super::judge::Judge;
+use crate::driver::cost::seconds_of_rays;
 use crate::driver::{Failure, MemoryReduction, Options, Outcome, solve, solve_exactly, timed};
 use crate::goal::{Achieved, EndReason, Goal};
 use crate::solved::Solved;
-
-/// Seconds of one core for a ray of a walk, with what it meets. Measured in rooms.
-const RAY: f64 = 1e-6;
 
 /// Most rays of readings by walks: some minutes.
 const MOST_RAYS_OF_WALKS: f64 = 1e9;
@@ -173,7 +171,7 @@ impl<'a> Adaptation<'a> {
             return false;
         };
         let rays = readings as f64 * judge.price() / self.goal.accuracy.powi(2);
-        rays < MOST_RAYS_OF_WALKS && rays * RAY < growth * run.outcome.seconds_by_counts()
+        rays < MOST_RAYS_OF_WALKS && seconds_of_rays(rays) < growth * run.outcome.seconds_by_counts()
     }
 
     /// The outcome of the run after `before`, or the reason why it ends the sequence.

@@ -1,0 +1,219 @@
+//! Printed readings, checked by a referee.
+//!
+//! About 64 of what a run prints, evenly chosen, are estimated by walks that know the scene alone; what is
+//! found makes the method's own estimates true ([`Checked`]).
+
+use radiosity_audit::{Checked, Effort, Estimate, Judged, Referee, Spot, Verdict};
+use radiosity_elements::cells::cells_of;
+use radiosity_scene::Scene;
+use radiosity_work::Work;
+
+use crate::grid::Cell;
+use crate::own_error::OwnError;
+use crate::probe::{OnSurface, ProbeReading};
+
+/// Plural noun of what is checked.
+const READINGS: &str = "readings";
+
+/// Part of a cell that may be covered where it is judged. Chosen: rounding of areas.
+const COVERED: f64 = 1e-6;
+
+/// Distance from the edge of a surface, in its parameters, within which a point lies on it. Chosen: a thousand times the
+/// rounding of places.
+const EDGE: f64 = 1e-9;
+
+/// A reading that is printed.
+#[derive(Clone, Debug)]
+pub struct PrintedReading {
+    /// The place that is read, in the coordinates that the scene is computed in.
+    pub spot: Spot,
+    /// The printed numbers, one for each band.
+    pub printed: Vec<f64>,
+    /// The light of each group by itself, in the order of [`Referee::groups`]; empty where it was not
+    /// printed.
+    pub printed_groups: Vec<Vec<f64>>,
+    /// The method's own estimate of their error, root mean square over the bands.
+    pub own: f64,
+    /// Name of the surface or plane.
+    pub class: String,
+}
+
+impl PrintedReading {
+    /// A probe's reading, of the surface or plane `class`; None on the edge of a surface: light there is the limit from
+    /// within, and walks start beside it as well.
+    pub fn of_probe(reading: &ProbeReading, scene: &Scene, own: &OwnError, class: &str) -> Option<Self> {
+        let is_on_edge = |on: &OnSurface| on.parameters.iter().any(|parameter| parameter.abs() > 1.0 - EDGE);
+        (!reading.on.as_ref().is_some_and(is_on_edge)).then(|| Self {
+            spot: reading.probe.spot(scene),
+            printed: reading.irradiance.clone(),
+            printed_groups: Vec::new(),
+            own: own.of_reading(&reading.irradiance, reading.deviation),
+            class: class.to_owned(),
+        })
+    }
+
+    /// The mean irradiance of a cell of a grid of `cells` along u and v; None where something stands on it:
+    /// its mean counts that part as dark, and walks leave it out.
+    pub fn of_cell(cell: &Cell, cells: [usize; 2], scene: &Scene, own: &OwnError) -> Option<Self> {
+        let rect = cells_of(cells).nth(cell.index[0] * cells[1] + cell.index[1])?;
+        (cell.exposed >= (1.0 - COVERED) * cell.area).then(|| Self {
+            spot: Spot::Cell { surface: cell.surface, rect },
+            printed: cell.irradiance.clone(),
+            printed_groups: Vec::new(),
+            own: own.of_reading(&cell.irradiance, cell.deviation),
+            class: scene.surfaces[cell.surface].name.clone(),
+        })
+    }
+}
+
+/// How much is checked, and by how many walks.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CheckEffort {
+    /// About the number of readings.
+    pub readings: usize,
+    /// Walks for each of them.
+    pub effort: Effort,
+    /// Seed of the choice.
+    pub seed: u64,
+}
+
+/// Readings of a run with what the referee says of them.
+#[derive(Clone, Debug)]
+pub struct CheckedReadings {
+    /// Numbers of the readings that were judged, among all.
+    pub numbers: Vec<usize>,
+    /// These readings beside what was found, in the same order.
+    pub judged: Vec<Judged>,
+    /// The verdict on them.
+    pub verdict: Verdict,
+    /// Errors that follow.
+    pub checked: Checked,
+}
+
+impl CheckedReadings {
+    /// Judges as many of the `count` readings as the effort says, evenly chosen, of those that `reading`
+    /// gives. The bits do not depend on threads and ranks.
+    pub fn of(
+        referee: &Referee,
+        count: usize,
+        reading: impl Fn(usize) -> Option<PrintedReading>,
+        effort: &CheckEffort,
+        work: &Work<'_>,
+    ) -> Self {
+        let wanted = effort.readings.min(count);
+        let chosen = evenly(0..count, count, wanted, effort.seed);
+        let (numbers, printed): (Vec<usize>, Vec<PrintedReading>) =
+            chosen.filter_map(|number| Some((number, reading(number)?))).unzip();
+        let spots: Vec<Spot> = printed.iter().map(|own| own.spot.clone()).collect();
+        let estimates = referee.estimates(&spots, &effort.effort, work);
+        let is_told = |(_, estimate): &(_, Estimate)| estimate.is_finite();
+        let (mut numbers_judged, mut judged, mut spots, mut own) = (vec![], vec![], vec![], vec![]);
+        for ((number, printed), estimate) in numbers.into_iter().zip(printed).zip(estimates).filter(is_told) {
+            let PrintedReading { spot, printed, printed_groups, own: error, class } = printed;
+            numbers_judged.push(number);
+            judged.push(Judged { printed, printed_groups, estimate, weight: 1.0, class });
+            spots.push(spot);
+            own.push(error);
+        }
+        let told = Checked::relative(&judged, &own);
+        let verdict = referee.verdict(&spots, &mut judged, told, Verdict::WORST, &effort.effort, work);
+        let checked = Checked::of(&judged, &own, &verdict, READINGS);
+        Self { numbers: numbers_judged, judged, verdict, checked }
+    }
+
+    /// The errors that are told of all readings, of which the method's own estimates are `own`: these alone
+    /// where nothing was checked.
+    pub fn all_told(checked: Option<&Self>, own: impl Iterator<Item = f64>) -> Vec<f64> {
+        let told = |(number, own)| checked.map_or(own, |checked| checked.told(number, own));
+        own.enumerate().map(told).collect()
+    }
+
+    /// The error that is told of the reading of this number, of which the method's own estimate is `own`.
+    fn told(&self, number: usize, own: f64) -> f64 {
+        self.checked.told(own, self.numbers.binary_search(&number).ok())
+    }
+}
+
+/// About `wanted` of `count` items, one of each part of equal length.
+pub fn evenly<T>(
+    items: impl Iterator<Item = T>,
+    count: usize,
+    wanted: usize,
+    seed: u64,
+) -> impl Iterator<Item = T> {
+    // The item of a part is another in each part and for each seed: multiples of an irrational number.
+    const SEEDS: u64 = 1 << 20;
+    let golden = 0.5 * (5f64.sqrt() - 1.0);
+    let place = move |part: usize| {
+        let within = ((seed % SEEDS + 1) as f64 * (part as f64 + 1.0) * golden).fract();
+        ((part as f64 + within) * count as f64 / wanted as f64) as usize
+    };
+    let mut next = 0;
+    items.enumerate().filter_map(move |(number, item)| {
+        let is_next = next < wanted && number >= place(next);
+        next += usize::from(is_next);
+        is_next.then_some(item)
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use radiosity_geom::DVec3;
+    use radiosity_language::builtin;
+
+    use super::*;
+
+    /// Points of the floor of the furnace, where light is 2, that print `light` and tell the error `own`.
+    fn floor(number: usize, light: f64, own: f64) -> Option<PrintedReading> {
+        let position = DVec3::new((number as f64 + 0.5) / 128.0, 0.3, 0.0);
+        Some(PrintedReading {
+            spot: Spot::Point { position: position - builtin("furnace-cube").ok()?.middle, normal: DVec3::Z },
+            printed: vec![light],
+            printed_groups: Vec::new(),
+            own,
+            class: "floor".to_owned(),
+        })
+    }
+
+    fn checked(reading: impl Fn(usize) -> Option<PrintedReading>) -> CheckedReadings {
+        let referee = Referee::of_light(&builtin("furnace-cube").expect("it is built in"));
+        let effort = CheckEffort { readings: 64, effort: Effort::of_walks(4096.0), seed: 0 };
+        CheckedReadings::of(&referee, 128, reading, &effort, &Work::alone())
+    }
+
+    #[test]
+    fn readings_that_are_right_keep_their_own_errors() {
+        let right = checked(|number| floor(number, 2.0, 1e-2));
+        assert_eq!((right.judged.len(), right.numbers.len()), (64, 64));
+        assert!(right.numbers.is_sorted_by(|a, b| a < b) && right.numbers[63] >= 126, "{:?}", right.numbers);
+        assert_eq!(right.checked.error_factor, 1.0);
+        assert_eq!(CheckedReadings::all_told(Some(&right), [1e-2; 128].into_iter()), vec![1e-2; 128]);
+    }
+
+    #[test]
+    fn readings_that_are_off_err_by_what_was_found_those_that_were_not_judged_too() {
+        let off = checked(|number| floor(number, 2.2, 1e-2));
+        let told = CheckedReadings::all_told(Some(&off), [1e-2; 128].into_iter());
+        assert!(told.iter().all(|error| (error - 0.2).abs() < 0.02), "{told:?}");
+        assert!(
+            off.checked.finding().is_some_and(|finding| finding.contains("\"floor\" by 10 %")),
+            "{off:?}"
+        );
+    }
+
+    #[test]
+    fn a_single_reading_that_is_off_errs_by_its_own_difference() {
+        let right = checked(|number| floor(number, 2.0, 1e-2));
+        let wrong = right.numbers[20];
+        let one = checked(|number| floor(number, if number == wrong { 1.0 } else { 2.0 }, 1e-2));
+        assert!((one.told(wrong, 1e-2) - 1.0).abs() < 0.02, "{one:?}");
+        assert!(one.told(wrong + 1, 1e-2) < 0.5, "{one:?}");
+    }
+
+    #[test]
+    fn what_cannot_be_judged_is_left_out() {
+        let half = checked(|number| floor(number, 2.0, 1e-2).filter(|_| number < 64));
+        assert_eq!(half.judged.len(), 32);
+        assert!(checked(|_| None).judged.is_empty());
+    }
+}

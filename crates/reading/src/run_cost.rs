@@ -1,0 +1,27 @@
+//! About the seconds that readings take two threads, from counts alone, as those of transfers are told
+//! ([`radiosity_solve::driver::cost`]):
+//!
+//! ```text
+//! ¼ points · seconds to gather the light of one .
+//! ```
+
+use radiosity_solve::gather::gather_method::seconds_to_gather;
+use radiosity_solve::solved::Solved;
+
+use crate::quality::ReadSettings;
+use crate::reader::ReadMode;
+
+/// Part of the time of one core for each point: two threads share them, and points beside each other what is
+/// around them. Measured: a grid and a picture of the Cornell box.
+const SHARED: f64 = 0.25;
+
+/// Seconds to read so many points or cells with `settings`, whose points share what is found of their
+/// surroundings; 0 where that takes no gathering.
+pub fn seconds_to_read(solved: &Solved, settings: &ReadSettings, points: f64) -> f64 {
+    match settings.read {
+        ReadMode::Basis | ReadMode::Direct => 0.0,
+        ReadMode::Gather | ReadMode::GatherTwice => {
+            SHARED * points * seconds_to_gather(&solved.outcome.solution, solved.visibility(), settings.eps)
+        }
+    }
+}
