@@ -8,7 +8,7 @@ import drjit as dr
 import mitsuba as mi
 import numpy
 
-# Paths of one launch. Measured: 2²⁰ and 2²² are equally fast for each path.
+# Paths of one launch. Chosen.
 LAUNCH = 2**21
 
 

@@ -34,7 +34,7 @@ use crate::draft::Draft;
 /// Seed of the referee's draws; runs count theirs from 0.
 const SEED: u64 = 0x5EED_0062;
 
-/// Walks for each sensor. Measured: a noise of 0.3 % of most rooms.
+/// Walks for each sensor. Measured on forty rooms: a quarter of them leaves an L2 noise of 0.36 % (median).
 const WALKS: f64 = 65536.0;
 
 fn main() -> Result<(), Box<dyn Error>> {
