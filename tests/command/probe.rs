@@ -74,8 +74,8 @@ fn the_error_of_each_row_is_told_and_the_run_is_checked_once() {
     }
 }
 
-/// After three sweeps of Jacobi's iteration the furnace has 2 (1 − 2⁻⁴) = 1.875 of light, where 2 is right: the run says
-/// so, names its walls, tells errors as large, and fails where it is strict, after all is written.
+/// After three sweeps of Jacobi's iteration the furnace has 2 (1 − 2⁻⁴) = 1.875 of light, where 2 is right: the
+/// run says so, names its walls, tells errors as large, and fails where it is strict, after all is written.
 #[test]
 fn wrong_light_is_told_with_its_places() {
     let folder = tempfile::tempdir().expect("a folder");

@@ -155,7 +155,8 @@ impl fmt::Display for Checked {
             false if self.visible > NOTHING => "all are 0 as far as walks tell".to_owned(),
             false => format!("no error above {} % seen", percent(self.visible)),
         };
-        write!(to, "checked at {} {} by path tracing: {said}", self.audit.readings, self.of)
+        let of = if self.audit.readings == 1 { self.of.trim_end_matches('s') } else { self.of };
+        write!(to, "checked at {} {of} by path tracing: {said}", self.audit.readings)
     }
 }
 

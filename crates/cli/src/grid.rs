@@ -68,7 +68,9 @@ pub(crate) fn run(args: &GridArgs, loaded: Loaded, ranks: &Ranks) -> Result<(), 
     request.check(&loaded.options(method, ranks), method)?;
     let data = args.data.reserve(&loaded, &args.run.report, ranks, Ok)?;
     let goal = wanted(method, loaded.scene(), ranks)?;
-    let goal = goal.map(|goal| goal.read_by(args.read.read_by.unwrap_or_default()));
+    let readings = sides[0] * sides[1] * loaded.scene().surfaces.len();
+    let by = args.read.read_by.unwrap_or_default();
+    let goal = goal.map(|goal| goal.read_by(by).for_readings(readings));
     let mut run = Run::to(goal, loaded, &args.run, ranks)?;
     let reading = request.reading(method, &run.solved, run.is_saved());
     let read = || grid(&run.reader(&reading), sides, reading.rates, &run.work());

@@ -13,7 +13,7 @@ use crate::judged_factors::JudgedFactors;
 pub struct CheckedFactors {
     /// The largest error of a factor in the row of each surface.
     pub errors: Vec<f64>,
-    /// What the referee found; None where it did not look.
+    /// The referee's findings; None where it did not look.
     pub checked: Option<Checked>,
 }
 

@@ -18,8 +18,8 @@ const READINGS: &str = "readings";
 /// Part of a cell that may be covered where it is judged. Chosen: rounding of areas.
 const COVERED: f64 = 1e-6;
 
-/// Distance from the edge of a surface, in its parameters, within which a point lies on it. Chosen: a thousand times the
-/// rounding of places.
+/// Distance from the edge of a surface, in its parameters, within which a point lies on it. Chosen: a thousand
+/// times the rounding of places.
 const EDGE: f64 = 1e-9;
 
 /// A reading that is printed.

@@ -63,7 +63,7 @@ impl JudgedFactors {
         }
     }
 
-    /// What the verdict makes of the method's own estimates of the errors in each row.
+    /// The method's own estimates of the errors in each row, made true by the verdict.
     pub(crate) fn checked(&self, errors: &[f64]) -> Checked {
         let judged: Vec<Judged> = self.factors.iter().map(|own| own.judged.clone()).collect();
         let own: Vec<f64> = self.factors.iter().map(|own| errors[own.from]).collect();

@@ -123,7 +123,7 @@ fn places(scene: &Scene, referee: &Referee, effort: &CheckEffort) -> Vec<Place> 
     all
 }
 
-/// What a solution prints at each place; None where it cannot be read.
+/// The light that a solution prints at each place; None where it cannot be read.
 fn readings(
     solution: &Solution,
     solved: &Solved,

@@ -3,9 +3,9 @@
 //! In order: values on a grid of points ([`field`]), warnings, light at points and sensors ([`reader`],
 //! [`probe`], [`grid`], [`uniformity`], [`plane_figures`]) with its errors ([`read_error`], [`quality`],
 //! [`own_error`]), the cost of a run ([`run_cost`]) and what a referee says of what is printed
-//! ([`checked_readings`]), of a solution ([`judging`]) and of view factors ([`judged_factors`], [`checked_factors`]), the report
-//! of a run ([`report`], [`rank_work`], [`checkpoint`]), light of pixels and texels ([`pictures`]), and
-//! solutions in files ([`files`]: our own, and curved cells of VTK).
+//! ([`checked_readings`]), of a solution ([`judging`]) and of view factors ([`judged_factors`],
+//! [`checked_factors`]), the report of a run ([`report`], [`rank_work`], [`checkpoint`]), light of pixels and
+//! texels ([`pictures`]), and solutions in files ([`files`]: our own, and curved cells of VTK).
 //!
 //! Imports `core`, `geom`, `solvers`, `work`, `scene`, `language`, `audit`, `visibility`, `elements`,
 //! `kernel`, `transport`, `light`, `published` and `solve`.

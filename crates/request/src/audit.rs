@@ -66,7 +66,7 @@ impl CheckRequest {
         ))
     }
 
-    /// What is checked of `count` numbers that are printed of a scene that was solved with these options,
+    /// The readings that are checked of `count` numbers that are printed of a scene solved with these options,
     /// beside a run of about so many seconds, which follow from counts of its work; None where a referee does
     /// not know that light, or nothing emits.
     pub fn of_light(&self, run: f64, count: usize, scene: &Scene, options: &Options) -> Option<CheckEffort> {

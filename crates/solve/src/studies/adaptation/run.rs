@@ -13,6 +13,7 @@ use super::estimate::estimate;
 use super::judge::Judge;
 use crate::driver::cost::seconds_of_rays;
 use crate::driver::{Failure, MemoryReduction, Options, Outcome, solve, solve_exactly, timed};
+use crate::gather::gather_method::GatherMethod;
 use crate::goal::{Achieved, EndReason, Goal};
 use crate::solved::Solved;
 
@@ -80,14 +81,14 @@ impl<'a> Adaptation<'a> {
             if !run.outcome.converged {
                 return Ok(self.ended(run, None, EndReason::NotConverged));
             }
+            if self.goal.by == GatherMethod::Walks && self.goal.readings.is_some() {
+                return Ok(self.by_walks(run));
+            }
             let found = self.found(&mut run, planned.expected)?;
             let error = found.error;
             let following = if found.is_reached { Err(EndReason::Reached) } else { next(&mut run, found)? };
             let finer = match following {
-                Ok(next) if self.walks_pay(&run, next.growth) => {
-                    run.achieved = Some(Achieved::by_walks(self.goal));
-                    return Ok(run);
-                }
+                Ok(next) if self.walks_pay(&run, next.growth) => return Ok(self.by_walks(run)),
                 Ok(next) if !self.work.fits(begun.elapsed().mul_f64(next.growth)) => Err(EndReason::Time),
                 Ok(next) => {
                     (begun, planned) = (Instant::now(), next);
@@ -98,12 +99,17 @@ impl<'a> Adaptation<'a> {
             match finer {
                 Ok(outcome) => run = Solved::of(run.scene, planned.options, outcome, None),
                 Err(end) if end != EndReason::Reached && self.walks_pay(&run, f64::INFINITY) => {
-                    run.achieved = Some(Achieved::by_walks(self.goal));
-                    return Ok(run);
+                    return Ok(self.by_walks(run));
                 }
                 Err(end) => return Ok(self.ended(run, Some(error).filter(|error| error.is_finite()), end)),
             }
         }
+    }
+
+    /// A run whose light is read by walks.
+    fn by_walks(&self, mut run: Solved) -> Solved {
+        run.achieved = Some(Achieved::by_walks(self.goal));
+        run
     }
 
     /// The finest run with its error.
@@ -163,13 +169,16 @@ impl<'a> Adaptation<'a> {
         Ok(estimate)
     }
 
-    /// Whether it takes less to read the goal's readings by walks than a run that takes `growth` times as long as
-    /// `run`.
+    /// Whether it takes less to read the goal's readings by walks, unless they are to be read in another way, than a run
+    /// that takes `growth` times as long as `run`.
     fn walks_pay(&self, run: &Solved, growth: f64) -> bool {
         let Some((readings, judge)) = self.goal.readings.zip(self.judge.get().and_then(Option::as_ref))
         else {
             return false;
         };
+        if self.goal.by != GatherMethod::Auto {
+            return false;
+        }
         let rays = readings as f64 * judge.price() / self.goal.accuracy.powi(2);
         rays < MOST_RAYS_OF_WALKS && seconds_of_rays(rays) < growth * run.outcome.seconds_by_counts()
     }
