@@ -25,7 +25,7 @@ fn adiabatic_walls_pass_on_what_they_receive() {
 }
 
 #[test]
-fn the_error_told_is_that_of_the_order() {
+fn the_error_told_is_that_of_the_elements() {
     // A long room that is heated at one end, where nothing is symmetric.
     let text = r#"
     materials.panel = { emissivity = 0.9, temperature = 1300 }
@@ -60,7 +60,7 @@ fn the_error_told_is_that_of_the_order() {
                 own.flow_error
             );
             assert!(
-                kelvin <= 3.0 * own.temperature_error + 1e-6,
+                kelvin <= 4.0 * own.temperature_error + 1e-6,
                 "{} at order {order}: {kelvin} told as {}",
                 own.name,
                 own.temperature_error

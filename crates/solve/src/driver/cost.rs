@@ -21,7 +21,7 @@ pub fn seconds_of_samples(samples: f64) -> f64 {
 }
 
 /// Seconds of so many rays.
-pub fn seconds_of_rays(rays: f64) -> f64 {
+pub(crate) fn seconds_of_rays(rays: f64) -> f64 {
     RAY * rays
 }
 
