@@ -1,4 +1,4 @@
-//! What a referee found of printed numbers, as Python has it.
+//! Findings of a referee on printed numbers, as Python has them.
 
 use pyo3::prelude::*;
 use radiosity::audit::{Checked, Referee};
@@ -9,17 +9,22 @@ use radiosity::reading::report::underestimated;
 use radiosity::request::CheckRequest;
 use radiosity::solve::solved::Solved;
 use radiosity::work::Work;
+use serde::Serialize;
 
 use crate::error::warn;
 
+/// A check with its line.
+#[derive(Serialize)]
+struct CheckedLine<'a> {
+    #[serde(flatten)]
+    checked: &'a Checked,
+    line: String,
+}
+
 /// JSON of a check, with the line of the command's summary; None where nothing was checked.
 pub(crate) fn json(checked: Option<&Checked>) -> Option<String> {
-    let told = |own: &Checked| {
-        let mut told = serde_json::to_value(own).expect("it is plain data");
-        told["line"] = own.to_string().into();
-        told.to_string()
-    };
-    checked.map(told)
+    let told = |checked: &Checked| CheckedLine { checked, line: checked.to_string() };
+    checked.map(|own| serde_json::to_string(&told(own)).expect("it is plain data"))
 }
 
 /// Warns where light is off by more than its method tells.
@@ -30,8 +35,8 @@ pub(crate) fn warn_of(py: Python<'_>, checked: Option<&Checked>) -> PyResult<()>
     }
 }
 
-/// How much is checked of so many numbers of a solution that were read in so many seconds by counts; None where
-/// a referee does not know such light. A solution that did not converge is told to be wrong.
+/// How much is checked of so many numbers of a solution that were read in so many seconds by counts; None
+/// where a referee does not know such light. A solution that did not converge is told to be wrong.
 pub(crate) fn effort(
     check: &CheckRequest,
     solved: &Solved,

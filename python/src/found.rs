@@ -64,9 +64,9 @@ impl Found {
         }
     }
 
-    /// How much is checked of so many numbers that are read so and tell their errors; None where a referee does
-    /// not know such light. Frames, which follow each other faster than a referee looks, are checked where that is
-    /// asked for.
+    /// How much is checked of so many numbers that are read so and tell their errors; None where a referee
+    /// does not know such light. Frames, which follow each other faster than a referee looks, are checked
+    /// where that is asked for.
     pub(crate) fn effort(
         &self,
         check: &CheckRequest,

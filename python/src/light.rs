@@ -95,8 +95,8 @@ impl Light {
         work(py, observer, |progress| in_threads(threads, || read(progress)))
     }
 
-    /// Readings of sensors as `given`; warns where rays leave more of an error than was asked for, and where a
-    /// referee finds more than is told.
+    /// Readings of sensors as `given`; warns where rays leave more of an error than was asked for, and where
+    /// a referee finds more than is told.
     fn sense(
         &self,
         py: Python<'_>,
@@ -160,7 +160,8 @@ impl Light {
         self.found.effort(check, &self.options, how, count)
     }
 
-    /// What a referee finds of `count` numbers that `printed` gives; None where it does not look, or can read none.
+    /// Findings of a referee on `count` numbers that `printed` gives; None where it does not look, or can
+    /// read none.
     fn judged(
         &self,
         effort: Option<CheckEffort>,
@@ -168,8 +169,9 @@ impl Light {
         printed: impl Fn(usize) -> Option<PrintedReading>,
         work: &Work<'_>,
     ) -> Option<CheckedReadings> {
+        let effort = effort?;
         let referee = Referee::of_light(self.found.scene());
-        let found = CheckedReadings::of(&referee, count, printed, &effort?, work);
+        let found = CheckedReadings::of(&referee, count, printed, &effort, work);
         (!found.judged.is_empty()).then_some(found)
     }
 
@@ -228,8 +230,8 @@ impl Light {
         elements.iter().map(|element| (element.surface, element.basis.len())).collect()
     }
 
-    /// Irradiance at points (n, 3) for normals (n, 3): an array (n, bands), its errors (n,), and JSON of what a
-    /// referee found, which looks where errors are told or where it is asked for.
+    /// Irradiance at points (n, 3) for normals (n, 3): an array (n, bands), its errors (n,), and JSON of what
+    /// a referee found, which looks where errors are told or where it is asked for.
     fn irradiance<'py>(
         &self,
         py: Python<'py>,

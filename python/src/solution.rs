@@ -33,7 +33,8 @@ pub(crate) struct Solution {
     pub(crate) is_saved: bool,
     check: CheckRequest,
     report: Report,
-    /// Findings of a referee, which looks when they are first asked for; None where it does not know such light.
+    /// Findings of a referee, which looks when they are first asked for; None where it does not know such
+    /// light.
     checked: OnceLock<Option<Checked>>,
     /// The report in JSON, made when it is first asked for.
     told: OnceLock<String>,
@@ -95,8 +96,8 @@ impl Solution {
         Ok(Self { solved, method, is_saved, check, report, checked, told })
     }
 
-    /// What a referee finds of the light at places of the surfaces and planes, as it is usually read; warns where
-    /// that is more than is told.
+    /// Findings of a referee on the light at places of the surfaces and planes, as it is usually read; warns
+    /// where they are more than is told.
     pub(crate) fn judged(
         &self,
         py: Python<'_>,

@@ -1,4 +1,4 @@
-//! Readings with the errors that are told of them.
+//! Readings, errors, and what a referee found of them, on their way to Python.
 
 use radiosity::audit::Checked;
 use radiosity::reading::checked_readings::CheckedReadings;
