@@ -23,8 +23,10 @@ struct CheckedLine<'a> {
 
 /// JSON of a check, with the line of the command's summary; None where nothing was checked.
 pub(crate) fn json(checked: Option<&Checked>) -> Option<String> {
-    let told = |checked: &Checked| CheckedLine { checked, line: checked.to_string() };
-    checked.map(|own| serde_json::to_string(&told(own)).expect("it is plain data"))
+    checked.map(|checked| {
+        let told = CheckedLine { checked, line: checked.to_string() };
+        serde_json::to_string(&told).expect("it is plain data")
+    })
 }
 
 /// Warns where light is off by more than its method tells.
