@@ -13,10 +13,12 @@ lm/m². Arrays are of NumPy's float64.
 from . import options
 from ._radiosity import Error, RadiosityWarning, __version__, builtins
 from .audit import Audit, audit
+from .checked import Checked
 from .files import load, load_solution
 from .heat import Heat
 from .light import Light
 from .plane import Plane
+from .readings import Readings
 from .scene import Scene
 from .solution import Solution
 from .stage import Frame, Stage
@@ -24,12 +26,14 @@ from .view_factors import ViewFactors, view_factor, view_factors
 
 __all__ = [
     "Audit",
+    "Checked",
     "Error",
     "Frame",
     "Heat",
     "Light",
     "Plane",
     "RadiosityWarning",
+    "Readings",
     "Scene",
     "Solution",
     "Stage",

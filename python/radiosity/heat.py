@@ -7,6 +7,7 @@ from typing import Any
 
 from . import _radiosity
 from .arguments import Array
+from .checked import Checked, checked
 from .kept import Kept
 from .tables import surfaces_frame
 
@@ -15,8 +16,7 @@ class Heat(Kept):
     """Temperatures and flows of radiant heat of n surfaces; arrays are of shape (n,). It pickles."""
 
     _FOUND = ("temperature", "temperature_error", "flux", "power", "power_error", "radiosity", "irradiance")
-    _CHECKED = ("error", "error_sd", "own_error", "error_factor", "checked")
-    _KEPT = ("names", "areas", "emissivity", *_FOUND, "lost", "is_closed", "conductances", "surroundings", *_CHECKED, "remarks")
+    _KEPT = ("names", "areas", "emissivity", *_FOUND, "lost", "is_closed", "conductances", "surroundings", "checked", "remarks")
 
     def __init__(self, native: _radiosity.Heat) -> None:
         self._native: _radiosity.Heat = native
@@ -43,7 +43,7 @@ class Heat(Kept):
 
     @property
     def temperature_error(self) -> Array:
-        """Estimated errors of the temperatures (K); 0 where they are given."""
+        """By how much the temperatures may be off (K), by the balance's own estimate and by `checked`; 0 where they are given."""
         return self._native.temperature_error
 
     @property
@@ -58,7 +58,7 @@ class Heat(Kept):
 
     @property
     def power_error(self) -> Array:
-        """Estimated errors of the flows (W); 0 where they are given."""
+        """By how much the flows may be off (W), by the balance's own estimate and by `checked`; 0 where they are given."""
         return self._native.power_error
 
     @property
@@ -92,29 +92,9 @@ class Heat(Kept):
         return self._native.surroundings
 
     @property
-    def error(self) -> float | None:
-        """Relative error of all surfaces together that path tracing found, 0 where it saw none; None where it cannot read them."""
-        return self._native.error
-
-    @property
-    def error_sd(self) -> float | None:
-        """Standard error of `error`."""
-        return self._native.error_sd
-
-    @property
-    def own_error(self) -> float | None:
-        """Relative error by the balance's own estimates, before they were multiplied by `error_factor`."""
-        return self._native.own_error
-
-    @property
-    def error_factor(self) -> float | None:
-        """Factor of at least 1 that makes the errors of temperatures and flows as large as what path tracing found."""
-        return self._native.error_factor
-
-    @property
-    def checked(self) -> str | None:
-        """What path tracing found, in a line, as `radiosity heat` tells it."""
-        return self._native.checked
+    def checked(self) -> Checked | None:
+        """What path tracing found of the flows and temperatures; None where it cannot read the surfaces."""
+        return checked(self._native.checked)
 
     @property
     def remarks(self) -> list[str]:

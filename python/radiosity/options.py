@@ -225,13 +225,24 @@ class Method(TypedDict, total=False):
     keep_partial: bool
 
 
+class Solving(Method, total=False):
+    """How a scene is solved: the options of `Method`, and this.
+
+    audit: float
+        Seconds that about two threads take to check what is printed by path tracing; the number of rays follows from this and from
+        counts of the scene [default: a tenth of the run, 0.1 to 5].
+    """
+
+    audit: float
+
+
 class Reading(TypedDict, total=False):
     """How light is read.
 
     read: "basis", "direct", "gather" or "gather-twice"
         Light that is read [default: gather; with `quality` finest gather-twice].
 
-    read_by: "auto", "cells" or "rays"
+    read_by: "auto", "cells", "rays" or "walks"
         By what light is gathered [default: auto].
 
     read_eps: float
@@ -240,12 +251,17 @@ class Reading(TypedDict, total=False):
 
     threads: int
         Threads to use (as the solution did); results do not depend on it.
+
+    audit: float
+        Seconds that about two threads take to check what is printed by path tracing; the number of rays follows from this and from
+        counts of the scene [default: a tenth of the run, 0.1 to 5].
     """
 
     read: Literal["basis", "direct", "gather", "gather-twice"]
-    read_by: Literal["auto", "cells", "rays"]
+    read_by: Literal["auto", "cells", "rays", "walks"]
     read_eps: float
     threads: int
+    audit: float
 
 
 class Cells(Reading, total=False):
@@ -263,8 +279,21 @@ class Cells(Reading, total=False):
     memory: int | str
 
 
-class Auditing(Reading, total=False):
-    """How light is judged: the options of `Reading`, by which it is read, and these.
+class Auditing(TypedDict, total=False):
+    """How light is read and judged.
+
+    read: "basis", "direct", "gather" or "gather-twice"
+        Light that is read [default: gather; with `quality` finest gather-twice].
+
+    read_by: "auto", "cells", "rays" or "walks"
+        By what light is gathered [default: auto].
+
+    read_eps: float
+        Accuracy of recomputed light, relative, between 0 and 1 [default: 1.25e-3, as `quality` says; 1e-2 of a solution by rays;
+        less for a wanted accuracy below 4e-3: 0.3 of that].
+
+    threads: int
+        Threads to use (as the solution did); results do not depend on it.
 
     seconds: float
         Seconds that about two threads take for its rays; their number follows from this and from counts of the scene, and is
@@ -277,6 +306,10 @@ class Auditing(Reading, total=False):
         Chooses other places and other rays [default: 0].
     """
 
+    read: Literal["basis", "direct", "gather", "gather-twice"]
+    read_by: Literal["auto", "cells", "rays", "walks"]
+    read_eps: float
+    threads: int
     seconds: float
     readings: int
     seed: int
@@ -299,6 +332,10 @@ class Picture(TypedDict, total=False):
 
     threads: int
         Threads to use (as the solution did); results do not depend on it.
+
+    audit: float
+        Seconds that about two threads take to check the pixels by path tracing, which warns of more than their errors tell
+        [default: not checked].
     """
 
     samples: int
@@ -306,6 +343,7 @@ class Picture(TypedDict, total=False):
     show: Literal["radiosity", "irradiance"]
     memory: int | str
     threads: int
+    audit: float
 
 
 class Transfers(TypedDict, total=False):
@@ -356,10 +394,6 @@ class HeatMethod(Transfers, total=False):
     memory: int or str
         Most memory to use, such as 500M, 2G or 2GiB [default: 80 % of what is free].
 
-    audit: float
-        Seconds that about two threads take to check what is printed by path tracing; the number of rays follows from this and from
-        counts of the scene [default: a tenth of the run, 0.1 to 5].
-
     conductances: bool
         Whether the conductances between all surfaces are wanted.
     """
@@ -368,5 +402,4 @@ class HeatMethod(Transfers, total=False):
     transport: Literal["auto", "exact", "sampled"]
     solver: str
     memory: int | str
-    audit: float
     conductances: bool

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from . import _radiosity
 from .arguments import Array
+from .checked import Checked, checked
 from .kept import Kept
 from .tables import plane_array, points_frame
 
@@ -17,7 +18,7 @@ from .tables import plane_array, points_frame
 class Plane(Kept):
     """The irradiance (the scene's unit) on a plane of sensors, rows along its first edge and columns along its second."""
 
-    _KEPT = ("name", "values", "errors", "points", "normal", "figures", "dark")
+    _KEPT = ("name", "values", "errors", "mean_error", "checked", "points", "normal", "figures", "dark")
 
     def __init__(self, native: _radiosity.Plane, scene: _radiosity.Scene) -> None:
         self._native: _radiosity.Plane = native
@@ -35,12 +36,21 @@ class Plane(Kept):
 
     @cached_property
     def error(self) -> Array:
-        """Standard deviation of each reading relative to it, over the bands, an array (rows, columns).
+        """By how much each reading may be off, in its unit, root mean square over the bands: an array (rows, columns).
 
-        It is nan where light is not gathered by rays, whose error is not sampled. Of readings of less than 2 % of the scene's mean
-        radiosity it is relative to these 2 %.
+        It is the method's own estimate times `checked["error_factor"]`, and at least what path tracing found where it looked.
         """
         return self._native.errors
+
+    @property
+    def mean_error(self) -> float | None:
+        """By how much the mean may be off, at the most, in its unit, root mean square over the bands."""
+        return self._native.mean_error
+
+    @property
+    def checked(self) -> Checked | None:
+        """What path tracing found of the readings; None where it does not know such light, and of frames without `audit=`."""
+        return checked(self._native.checked)
 
     @cached_property
     def points(self) -> Array:
@@ -93,8 +103,8 @@ class Plane(Kept):
         return len(self.values)
 
     def to_pandas(self) -> Any:
-        """A pandas.DataFrame with a row for each sensor: x, y, z (scene length) and the irradiance of each band."""
-        return points_frame(self.points, self.values, self.bands)
+        """A pandas.DataFrame with a row for each sensor: x, y, z (scene length), the irradiance of each band and its error."""
+        return points_frame(self.points, self.values, self.bands, self.error)
 
     def to_xarray(self) -> Any:
         """An xarray.DataArray with the axes row, column and band, and the coordinates x, y and z (scene length)."""

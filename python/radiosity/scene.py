@@ -20,7 +20,7 @@ from .solution import Solution
 if TYPE_CHECKING:
     from typing_extensions import Unpack
 
-    from .options import HeatMethod, Method
+    from .options import HeatMethod, Solving
 
 
 class Scene:
@@ -239,13 +239,13 @@ class Scene:
         return self._native.to_toml()
 
     def solve(
-        self, *, aim: str | tuple[Any, ...] | None = None, progress: bool | Observer | None = None, **method: Unpack[Method]
+        self, *, aim: str | tuple[Any, ...] | None = None, progress: bool | Observer | None = None, **method: Unpack[Solving]
     ) -> Solution:
         """The light in it, as `radiosity solve` computes it.
 
         `accuracy=1e-2` is the wanted relative error, `aim` of what: "gathered" (light as sensors and pictures read it, on all surfaces),
         "solution" (the polynomials), "picture" (what the scene's camera sees), ("plane", name) or ("points", points, normals). All
-        options are listed in `radiosity.options.Method`; results are those of the command to the last bit.
+        options are listed in `radiosity.options.Solving`; results are those of the command to the last bit.
 
         `progress`: True for a bar, False for none, None for a bar on a terminal, or observer(stage, done, total). Other threads run
         meanwhile, and Ctrl-C ends the work. What is less accurate than asked for is told by a `RadiosityWarning`.

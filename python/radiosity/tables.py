@@ -11,14 +11,16 @@ from .arguments import Array
 from .optional import optional
 
 
-def points_frame(points: Array, values: Array, bands: Sequence[str]) -> Any:
-    """Readings at points as a pandas.DataFrame: a row for each point, with x, y, z and a column for each band.
+def points_frame(points: Array, values: Array, bands: Sequence[str], errors: Array | None = None) -> Any:
+    """Readings at points as a pandas.DataFrame: a row for each point, with x, y, z, a column for each band, and error where it is given.
 
-    `points` (..., 3) in scene length, `values` (..., bands) in the scene's unit.
+    `points` (..., 3) in scene length, `values` (..., bands) and `errors` (...) in the scene's unit.
     """
     pandas = optional("pandas", "to_pandas")
     columns = dict(zip("xyz", np.reshape(points, (-1, 3)).T, strict=True))
     columns.update(zip(bands, np.reshape(values, (-1, len(bands))).T, strict=True))
+    if errors is not None:
+        columns["error"] = np.ravel(errors)
     return pandas.DataFrame(columns)
 
 

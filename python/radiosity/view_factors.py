@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Sequence
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
@@ -13,6 +12,7 @@ from numpy.typing import ArrayLike
 from . import _radiosity
 from .arguments import Array, numbers, refusal, text
 from .arrays import polygons
+from .checked import Checked, checked
 from .kept import Kept
 from .progress import Observer, Shown
 from .scene import Scene
@@ -81,15 +81,9 @@ class ViewFactors(Kept):
         return self._native.errors
 
     @property
-    def checked(self) -> dict[str, Any] | None:
-        """What walks of rays found; None where they did not look, as where closed forms carry all pairs and nothing blocks.
-
-        The relative error `error` of the factors in the L2 mean, its standard error `error_sd`, the least error `visible` that would
-        have been seen, the method's own estimate `own_error` and the factor `error_factor` that it was multiplied by; in `audit`
-        `readings`, `rays`, and what differs most, `signed_mean` and `worst`.
-        """
-        found = self._native.checked
-        return None if found is None else json.loads(found)
+    def checked(self) -> Checked | None:
+        """What path tracing found of the factors; None where it did not look, as where closed forms carry all pairs and nothing blocks."""
+        return checked(self._native.checked)
 
     @property
     def accuracy_reached(self) -> float:

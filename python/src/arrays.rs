@@ -5,7 +5,6 @@ use numpy::{IntoPyArray, PyArrayDyn, PyReadonlyArray2};
 use pyo3::prelude::*;
 use radiosity::geom::DVec3;
 use radiosity::reading::probe::Probe;
-use radiosity::solve::gather::read_irradiance::Deviation;
 
 use crate::error::Trouble;
 
@@ -77,11 +76,6 @@ fn directions(array: &PyReadonlyArray2<'_, f64>) -> Result<Vec<DVec3>, Trouble> 
         false => Err(Trouble::new(format!("normals[{index}]: not finite"), "give finite numbers")),
     })
     .collect()
-}
-
-/// A standard deviation relative to the value; not a number where rays gathered nothing.
-pub(crate) fn relative(deviation: Option<Deviation>) -> f64 {
-    deviation.map_or(f64::NAN, |deviation| deviation.relative)
 }
 
 /// An array of this shape; the numbers are not copied.

@@ -4,7 +4,8 @@ use numpy::PyArrayDyn;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use radiosity::audit::Referee;
-use radiosity::reading::judging::{JudgedReading, JudgedRun, Judging};
+use radiosity::reading::checked_readings::CheckEffort;
+use radiosity::reading::judging::{JudgedReading, JudgedRun};
 use radiosity::request::{AuditRequest, ReadRequest, ranges, require_all_light};
 use radiosity::solve::in_threads;
 use radiosity::work::Work;
@@ -20,7 +21,7 @@ use crate::work::work;
 #[pyclass(frozen, module = "radiosity._radiosity")]
 pub(crate) struct Audit {
     run: JudgedRun,
-    judging: Judging,
+    judging: CheckEffort,
     bands: usize,
 }
 
@@ -42,7 +43,7 @@ pub(crate) fn audit_of(
     require_all_light(method, "the referee judges all light", cure).map_err(Trouble::from)?;
     read.check(&solved.options, method).map_err(Trouble::from)?;
     let reading = read.reading(method, solved, *is_saved);
-    let judging = request.judging(solved, &reading);
+    let judging = request.judging(&solved.scene);
     let run = work(py, observer.as_ref(), |progress| {
         let judge = || {
             let referee = Referee::of_light(&solved.scene);
@@ -107,12 +108,12 @@ impl Audit {
     #[getter]
     fn errors(&self) -> (f64, f64, f64, f64) {
         let verdict = &self.run.verdict;
-        (verdict.error(), verdict.error_sd(), verdict.visible(), self.judging.told)
+        (verdict.error(), verdict.error_sd(), verdict.visible(), self.run.checked.own_error)
     }
 
     #[getter]
     fn finds_more(&self) -> bool {
-        self.run.verdict.finds(self.judging.told)
+        self.run.checked.finds_more()
     }
 
     /// Rays, walks for each reading, places that could not be read.
@@ -130,6 +131,6 @@ impl Audit {
     /// The verdict in a line.
     #[getter]
     fn line(&self) -> String {
-        self.run.to_string()
+        self.run.checked.to_string()
     }
 }

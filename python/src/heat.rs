@@ -3,7 +3,6 @@
 use numpy::PyArrayDyn;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use radiosity::audit::Checked;
 use radiosity::heat as library;
 use radiosity::heat::SurfaceHeat;
 use radiosity::kernel::WorstError;
@@ -16,6 +15,7 @@ use radiosity::work::ranks::Ranks;
 
 use crate::arguments::Arguments;
 use crate::arrays::array;
+use crate::checked;
 use crate::error::warn;
 use crate::scene::{Scene, remarks};
 use crate::work::work;
@@ -139,31 +139,10 @@ impl Heat {
         self.heat.is_closed()
     }
 
-    /// Relative error of all surfaces together that path tracing found; None where it cannot read them.
-    #[getter]
-    fn error(&self) -> Option<f64> {
-        self.heat.checked.as_ref().map(|checked| checked.error)
-    }
-
-    #[getter]
-    fn error_sd(&self) -> Option<f64> {
-        self.heat.checked.as_ref().map(|checked| checked.error_sd)
-    }
-
-    #[getter]
-    fn own_error(&self) -> Option<f64> {
-        self.heat.checked.as_ref().map(|checked| checked.own_error)
-    }
-
-    #[getter]
-    fn error_factor(&self) -> Option<f64> {
-        self.heat.checked.as_ref().map(|checked| checked.error_factor)
-    }
-
-    /// The line of the command's summary.
+    /// JSON of what path tracing found; None where it cannot read the surfaces.
     #[getter]
     fn checked(&self) -> Option<String> {
-        self.heat.checked.as_ref().map(Checked::to_string)
+        checked::json(self.heat.checked.as_ref())
     }
 
     /// Remarks on the reading of the scene, and on the correction of the transfers.

@@ -8,7 +8,7 @@ use radiosity::reading::pictures::render::{render, usual_read};
 use radiosity::reading::quantity::Quantity;
 use radiosity::reading::reader::ReadMode;
 use radiosity::request::picture::{SAMPLES, camera, pixels, require_pixels, sized};
-use radiosity::request::{MethodRequest, check_aim, ranges};
+use radiosity::request::{CheckRequest, MethodRequest, check_aim, ranges};
 use radiosity::scene::{Camera, Scene};
 use radiosity::solve::Options;
 use radiosity::solve::solution::Solution as Light;
@@ -36,10 +36,11 @@ impl Given {
 
 /// A picture about to be taken.
 pub(crate) struct Shot {
-    camera: Camera,
+    pub(crate) camera: Camera,
     samples: u32,
     read: Option<ReadMode>,
     show: Quantity,
+    pub(crate) check: CheckRequest,
     pub(crate) threads: usize,
 }
 
@@ -64,20 +65,40 @@ impl Shot {
                 .map_or(SAMPLES, |samples| samples.count() as u32),
             read: method.read(given.value("read")?),
             show: given.value("show")?.unwrap_or_default(),
+            check: given.fields()?,
             threads: given.value("threads")?.map_or(options.threads, ranges::Threads::count),
             camera,
         };
         let memory = given.parsed("memory")?.or(method.memory);
         given.finish("render")?;
         check_aim(shot.read, method).map_err(Trouble::from)?;
+        shot.require_check(options)?;
         require_pixels(&shot.camera, scene, memory, Ranks::alone()).map_err(Trouble::from)?;
         Ok(shot)
     }
 
-    /// Takes the picture.
-    pub(crate) fn take(&self, light: &Light, visibility: &Visibility, progress: &Progress) -> Raster {
-        let usual = || usual_read(light, visibility, pixels(&self.camera));
-        let read = self.read.unwrap_or_else(usual);
+    /// Refuses a check of pixels that walks of light do not know.
+    fn require_check(&self, options: &Options) -> Result<(), Trouble> {
+        if self.check.audit.is_some() && self.show == Quantity::Irradiance {
+            let cure = "leave show= out, or judge the solution: radiosity.audit(solution)";
+            return Err(Trouble::new("audit= checks pictures of radiosity", cure));
+        }
+        Ok(self.check.check(options)?)
+    }
+
+    /// Source of the light that the picture shows.
+    pub(crate) fn read(&self, light: &Light, visibility: &Visibility) -> ReadMode {
+        self.read.unwrap_or_else(|| usual_read(light, visibility, pixels(&self.camera)))
+    }
+
+    /// Takes the picture of light that is read so.
+    pub(crate) fn take(
+        &self,
+        read: ReadMode,
+        light: &Light,
+        visibility: &Visibility,
+        progress: &Progress,
+    ) -> Raster {
         let work = Work::alone().observed_by(progress);
         render(light, visibility, &self.camera, self.samples, read, self.show, &work)
     }

@@ -9,8 +9,10 @@ use radiosity::reading::uniformity::Uniformity;
 use radiosity::scene::{Scene, SensorPlane};
 use radiosity::work::wording::Wording;
 
-use crate::arrays::{array, relative};
+use crate::arrays::array;
+use crate::checked;
 use crate::error::Trouble;
+use crate::told::Told;
 
 /// A plane as it is given: by its name in the scene, or by a corner, two edges and the largest spacing along
 /// each.
@@ -38,14 +40,14 @@ impl Given {
 pub(crate) struct Plane {
     plane: SensorPlane,
     bands: usize,
-    readings: Vec<ProbeReading>,
+    told: Told<ProbeReading>,
     figures: PlaneFigures,
 }
 
 impl Plane {
-    pub(crate) fn new(plane: SensorPlane, scene: &Scene, readings: Vec<ProbeReading>) -> Self {
-        let figures = PlaneFigures::of(&plane, &scene.bands, &readings);
-        Self { plane, bands: scene.bands.len(), readings, figures }
+    pub(crate) fn new(plane: SensorPlane, scene: &Scene, told: Told<ProbeReading>) -> Self {
+        let figures = PlaneFigures::of(&plane, &scene.bands, &told.readings).erring(&told.errors);
+        Self { plane, bands: scene.bands.len(), told, figures }
     }
 
     /// Warning of sensors that get no light, if there are any.
@@ -72,16 +74,26 @@ impl Plane {
     #[getter]
     fn values<'py>(&self, py: Python<'py>) -> Bound<'py, PyArrayDyn<f64>> {
         let [rows, columns] = self.plane.counts();
-        let numbers = self.readings.iter().flat_map(|reading| reading.irradiance.iter().copied());
+        let numbers = self.told.readings.iter().flat_map(|reading| reading.irradiance.iter().copied());
         array(py, &[rows, columns, self.bands], numbers.collect())
     }
 
-    /// Standard deviation of each value relative to it: an array (rows, columns); not a number where rays
-    /// gathered nothing.
+    /// The error that is told of each sensor: an array (rows, columns).
     #[getter]
     fn errors<'py>(&self, py: Python<'py>) -> Bound<'py, PyArrayDyn<f64>> {
-        let numbers = self.readings.iter().map(|reading| relative(reading.deviation));
-        array(py, &self.plane.counts(), numbers.collect())
+        array(py, &self.plane.counts(), self.told.errors.clone())
+    }
+
+    /// The error that is told of the mean.
+    #[getter]
+    fn mean_error(&self) -> Option<f64> {
+        self.figures.error
+    }
+
+    /// JSON of what a referee found; None where it did not look.
+    #[getter]
+    fn checked(&self) -> Option<String> {
+        checked::json(self.told.checked.as_ref())
     }
 
     /// Positions of the sensors: an array (rows, columns, 3).

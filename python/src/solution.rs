@@ -6,17 +6,21 @@ use std::io::{BufWriter, Write};
 use std::sync::{Arc, OnceLock};
 
 use pyo3::prelude::*;
+use radiosity::audit::Checked;
 use radiosity::reading::files::solution_file::{self, SolutionFile, is_solution};
 use radiosity::reading::files::vtu::Grid as Cells;
 use radiosity::reading::report::Report;
-use radiosity::request::{KEPT, MethodRequest, require_all_light};
+use radiosity::request::{CheckRequest, KEPT, MethodRequest, ReadRequest, require_all_light};
 use radiosity::solve::solved::Solved;
 use radiosity::solve::{Failure, in_threads};
+use radiosity::work::Work;
 use radiosity::work::ranks::Ranks;
 use radiosity::work::wording::{option, words};
 
+use crate::checked;
 use crate::error::{Trouble, file_error, warn};
-use crate::light::{Found, Light};
+use crate::found::Found;
+use crate::light::Light;
 use crate::work::work;
 
 /// A scene with its solution.
@@ -27,7 +31,11 @@ pub(crate) struct Solution {
     pub(crate) method: MethodRequest,
     /// Whether the solution was read from a file.
     pub(crate) is_saved: bool,
+    check: CheckRequest,
     report: Report,
+    /// Findings of a referee, which looks when they are first asked for; None where it does not know such
+    /// light.
+    checked: OnceLock<Option<Checked>>,
     /// The report in JSON, made when it is first asked for.
     told: OnceLock<String>,
 }
@@ -55,7 +63,7 @@ pub(crate) fn load_solution(
     factors: BTreeMap<String, f64>,
 ) -> PyResult<Solution> {
     let found = work(py, None, |_| in_threads(0, || read_file(path, &factors))?)?;
-    Solution::new(py, found, MethodRequest::default(), true)
+    Solution::new(py, found, MethodRequest::default(), CheckRequest::default(), true)
 }
 
 fn read_file(path: &str, factors: &BTreeMap<String, f64>) -> Result<ReportedSolution, Trouble> {
@@ -79,11 +87,34 @@ impl Solution {
         py: Python<'_>,
         found: ReportedSolution,
         method: MethodRequest,
+        check: CheckRequest,
         is_saved: bool,
     ) -> PyResult<Self> {
         let ReportedSolution { solved, report } = found;
         report.warnings.iter().try_for_each(|warning| warn(py, &warning.message))?;
-        Ok(Self { solved: Arc::new(solved), method, is_saved, report, told: OnceLock::new() })
+        let (solved, checked, told) = (Arc::new(solved), OnceLock::new(), OnceLock::new());
+        Ok(Self { solved, method, is_saved, check, report, checked, told })
+    }
+
+    /// Findings of a referee on the light at places of the surfaces and planes, as it is usually read; warns
+    /// where they are more than is told.
+    pub(crate) fn judged(
+        &self,
+        py: Python<'_>,
+        observer: Option<&Bound<'_, PyAny>>,
+    ) -> PyResult<Option<&Checked>> {
+        if let Some(checked) = self.checked.get() {
+            return Ok(checked.as_ref());
+        }
+        let Self { solved, is_saved, method, check, .. } = self;
+        let settings = ReadRequest::default().reading(method, solved, *is_saved);
+        let found = work(py, observer, |progress| {
+            let work = Work::alone().observed_by(progress);
+            let judge = || checked::of_solution(check, solved, *is_saved, &settings, &work);
+            in_threads(solved.options.threads, judge)
+        })?;
+        checked::warn_of(py, found.as_ref())?;
+        Ok(self.checked.get_or_init(|| found).as_ref())
     }
 }
 
@@ -98,12 +129,21 @@ impl Solution {
 
     /// The report, in JSON.
     #[getter]
-    fn report(&self) -> &str {
-        self.told.get_or_init(|| {
+    fn report(&self, py: Python<'_>) -> PyResult<&str> {
+        let checked = self.judged(py, None)?;
+        let told = self.told.get_or_init(|| {
             let mut report = self.report.clone();
             report.compare_joints(&self.solved);
+            checked.cloned().into_iter().for_each(|checked| report.add_checked(checked));
             serde_json::to_string(&report).expect("a report is plain data")
-        })
+        });
+        Ok(told)
+    }
+
+    /// JSON of what a referee found; None where it does not know such light.
+    #[getter]
+    fn checked(&self, py: Python<'_>) -> PyResult<Option<String>> {
+        Ok(checked::json(self.judged(py, None)?))
     }
 
     /// Estimated relative error of the quantity that an accuracy was wanted of; none without one.
@@ -117,7 +157,7 @@ impl Solution {
         let found = work(py, None, |_| -> Result<_, Trouble> {
             Ok(ReportedSolution::of(self.solved.relight(&borrowed(&factors))?)?)
         })?;
-        Self::new(py, found, self.method.clone(), self.is_saved)
+        Self::new(py, found, self.method.clone(), self.check, self.is_saved)
     }
 
     /// Writes the solution as `radiosity solve` does: JSON that can be read back, or a grid of VTK.

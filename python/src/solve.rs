@@ -3,8 +3,8 @@
 use numpy::PyReadonlyArray2;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use radiosity::request::MethodRequest;
 use radiosity::request::aim::AccuracyOf;
+use radiosity::request::{CheckRequest, MethodRequest};
 use radiosity::scene;
 use radiosity::solve::solved::Solved;
 use radiosity::solve::studies::adaptation::Goal;
@@ -33,6 +33,7 @@ pub(crate) fn solution_of(
     let mut given = Arguments::of(given)?;
     let keep_partial = given.flag("keep_partial")?;
     let mut method: MethodRequest = given.fields()?;
+    let check: CheckRequest = given.fields()?;
     given.finish("solve")?;
     method.aim = aim.map(|aim| accuracy_of(aim, sensors.is_some())).transpose()?;
     if method.aim.is_some() && method.wanted_accuracy().is_none() {
@@ -42,6 +43,7 @@ pub(crate) fn solution_of(
     method.check().map_err(Trouble::from)?;
     scene.scene.require_light().map_err(Trouble::from)?;
     let options = Options { keep_partial, ..method.options(Ranks::alone()) };
+    check.check(&options).map_err(Trouble::from)?;
     // Shapes, patterns and what it was read from are shared; names and numbers of the surfaces are copied.
     let own = scene.scene.clone();
     let sensors = sensors.map(|(points, normals)| probes(&points, &normals)).transpose()?.unwrap_or_default();
@@ -53,7 +55,11 @@ pub(crate) fn solution_of(
         let work = Work { deadline: deadline.as_ref(), ..Work::alone().observed_by(progress) };
         Ok(ReportedSolution::of(solved(own, options, goal.as_ref(), &work)?)?)
     })?;
-    Solution::new(py, found, method, false)
+    let solution = Solution::new(py, found, method, check, false)?;
+    if check.audit.is_some() {
+        solution.judged(py, observer.as_ref())?;
+    }
+    Ok(solution)
 }
 
 fn solved(

@@ -18,7 +18,8 @@ use serde_json::json;
 
 use crate::arguments::Arguments;
 use crate::error::{Trouble, warn};
-use crate::light::{Found, Light};
+use crate::found::Found;
+use crate::light::Light;
 use crate::scene::Scene;
 use crate::work::work;
 

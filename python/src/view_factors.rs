@@ -21,6 +21,7 @@ use radiosity::{SceneBuilder, solve::view_factors as library};
 
 use crate::arguments::Arguments;
 use crate::arrays::{array, points};
+use crate::checked;
 use crate::error::{Trouble, warn};
 use crate::scene::{Scene, remarks};
 use crate::work::work;
@@ -233,8 +234,7 @@ impl ViewFactors {
     /// JSON of what walks found; None where they did not look.
     #[getter]
     fn checked(&self) -> Option<String> {
-        let checked = self.told.checked.as_ref();
-        checked.map(|own| serde_json::to_string(own).expect("it is plain data"))
+        checked::json(self.told.checked.as_ref())
     }
 
     #[getter]

@@ -53,9 +53,13 @@ POINTS = np.array([[278.0, 100.0, 200.0], [50.0, 300.0, 400.0], [278.0, 0.0, 279
 NORMALS = np.array([[0.0, 1.0, 0.0], [1.0, 2.0, -3.0], [0.0, 5.0, 0.0]])
 
 
-def deviation(row: dict) -> float:
-    """The standard deviation of a reading; nan where there is none."""
-    return float("nan") if row["deviation"] is None else row["deviation"]
+def check_of(report: dict) -> dict:
+    """What a report of the command says of its check, beside which Python has the line."""
+    return {key: report[key] for key in ("error", "error_sd", "visible", "own_error", "error_factor", "audit")}
+
+
+def without_line(checked: dict) -> dict:
+    return {key: value for key, value in checked.items() if key != "line"}
 
 
 @pytest.mark.parametrize(
@@ -70,12 +74,14 @@ def test_readings_at_points_are_those_of_the_command(command, tmp_path: Path, gi
     lines = [",".join(map(repr, [*point, *normal])) for point, normal in zip(POINTS.tolist(), NORMALS.tolist())]
     (tmp_path / "points.csv").write_text("\n".join(lines))
     quick = ["--quality", "quick"]
-    table = json.loads(command("probe", "cornell-box", "--points", "points.csv", "--format", "json", "-q", *quick, *typed))
+    options = ["--format", "json", "--report", "r.json", "-q", *quick, *typed]
+    table = json.loads(command("probe", "cornell-box", "--points", "points.csv", *options))
     solution = radiosity.load("cornell-box").solve(quality="quick", progress=False)
-    irradiance, errors = solution.irradiance(POINTS, NORMALS, errors=True, **given)
+    irradiance, errors, checked = solution.irradiance(POINTS, NORMALS, errors=True, **given)
     assert irradiance.tolist() == [row["irradiance"] for row in table["points"]]
-    assert np.array_equal(errors, [deviation(row) for row in table["points"]], equal_nan=True)
-    assert np.isnan(errors).all() == ("read_by" not in given)
+    assert errors.tolist() == [row["error"] for row in table["points"]]
+    assert without_line(checked) == check_of(json.loads((tmp_path / "r.json").read_text()))
+    assert solution.irradiance(POINTS, NORMALS, **given).tolist() == irradiance.tolist()
 
 
 def test_polynomials_are_read_as_by_the_command(command, tmp_path: Path):
@@ -101,7 +107,10 @@ def test_planes_are_those_of_the_command(command, tmp_path: Path):
     for key in ("mean", "min", "max", "u0", "ud"):
         assert getattr(plane, key).tolist() == [band[key] for band in figures["bands"]]
     assert plane.dark == figures["dark"]
-    assert np.array_equal(plane.error.ravel(), [deviation(row) for row in rows], equal_nan=True)
+    assert plane.error.ravel().tolist() == [row["error"] for row in rows]
+    assert plane.mean_error == figures["error"]
+    told, theirs = without_line(plane.checked), check_of(json.loads((tmp_path / "r.json").read_text()))
+    assert told == theirs
 
 
 @pytest.mark.parametrize(
@@ -112,12 +121,12 @@ def test_planes_are_those_of_the_command(command, tmp_path: Path):
         ({"read_by": "rays"}, ["--read-by", "rays"]),
     ],
 )
-def test_cells_are_those_of_the_command(command, given, typed):
-    typed = ["--cells", "3x2", "--format", "json", "-q", "--quality", "quick", *typed]
+def test_cells_are_those_of_the_command(command, tmp_path: Path, given, typed):
+    typed = ["--cells", "3x2", "--format", "json", "-q", "--quality", "quick", "--report", "r.json", *typed]
     rows = json.loads(command("grid", "occluder-box", *typed))["cells"]
     grid = radiosity.load("occluder-box").solve(quality="quick").grid((3, 2), **given)
-    assert np.array_equal(grid["error"], [deviation(row) for row in rows], equal_nan=True)
-    assert np.isnan(grid["error"]).any() == ("read_by" not in given)
+    assert grid["error"].tolist() == [row["error"] for row in rows]
+    assert without_line(grid["checked"]) == check_of(json.loads((tmp_path / "r.json").read_text()))
     for key in ("irradiance", "radiosity", "area", "position"):
         assert grid[key].tolist() == [row[key] for row in rows]
     assert grid["surface"].tolist() == [row["surface"] for row in rows]
@@ -179,9 +188,8 @@ def test_the_check_of_heat_is_that_of_the_command(command, tmp_path: Path):
     command("heat", "oven", "--order", "2", "-o", "heat.json", "--audit", "0.2", "-q")
     theirs = json.loads((tmp_path / "heat.json").read_text())
     heat = radiosity.load("oven").heat(order=2, audit=0.2)
-    assert (heat.error, heat.error_sd) == (theirs["error"], theirs["error_sd"])
-    assert (heat.own_error, heat.error_factor) == (theirs["own_error"], theirs["error_factor"])
-    assert heat.checked is not None and heat.checked.startswith("checked at 7 surfaces by path tracing")
+    assert without_line(heat.checked) == check_of(theirs)
+    assert heat.checked["line"].startswith("checked at 7 surfaces by path tracing")
 
 
 def test_solutions_are_dimmed_and_kept_as_by_the_command(command, tmp_path: Path):

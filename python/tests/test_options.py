@@ -18,7 +18,7 @@ OUTPUT = {"help", "version", "output", "format", "report", "quiet", "verbose", "
 STYLE = {"show", "size", "range", "band", "log", "isolines"}
 
 SCENE = set(options.Import.__annotations__)
-LIGHT = SCENE | set(options.Method.__annotations__) | {"aim"}
+LIGHT = SCENE | set(options.Solving.__annotations__) | {"aim"}
 
 CASES = {
     "solve": (LIGHT, set()),
@@ -28,7 +28,7 @@ CASES = {
         LIGHT - {"keep_partial"} | set(options.Picture.__annotations__) | {"size"},
         {"importance", "exposure", "false_colour", "difference", "wireframe", *STYLE - {"show", "size"}},
     ),
-    "audit": (LIGHT - {"keep_partial"} | set(options.Auditing.__annotations__), {"picture", "size", "of"}),
+    "audit": (LIGHT - {"keep_partial", "audit"} | set(options.Auditing.__annotations__), {"picture", "size", "of"}),
     "heat": (SCENE | set(options.HeatMethod.__annotations__), {"picture", *STYLE}),
     "view-factors": (SCENE | set(options.Transfers.__annotations__) | {"pairs", "sparse"}, set()),
 }
@@ -46,5 +46,5 @@ def test_help_lists_every_option():
     shown = pydoc.plaintext.document(radiosity.options)
     listed = set(re.findall(r"^     \|  (\w+): ", shown, re.MULTILINE))
     groups = [group for group in vars(options).values() if hasattr(group, "__total__")]
-    assert len(groups) == 8
+    assert len(groups) == 9
     assert set().union(*(group.__annotations__ for group in groups)) <= listed

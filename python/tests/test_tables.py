@@ -18,6 +18,9 @@ def test_points_become_rows():
     frame = tables.points_frame(POINTS, VALUES, ["r", "g"])
     assert list(frame.columns) == ["x", "y", "z", "r", "g"]
     np.testing.assert_array_equal(frame.iloc[4], [*POINTS[1, 1], *VALUES[1, 1]])
+    frame = tables.points_frame(POINTS, VALUES, ["r", "g"], VALUES[..., 1])
+    assert list(frame.columns) == ["x", "y", "z", "r", "g", "error"]
+    np.testing.assert_array_equal(frame.iloc[4], [*POINTS[1, 1], *VALUES[1, 1], VALUES[1, 1, 1]])
 
 
 def test_planes_become_arrays_with_coordinates():

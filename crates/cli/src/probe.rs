@@ -4,7 +4,7 @@ use std::path::Path;
 
 use clap::Args;
 use radiosity_output::table::{Column, Table, Value};
-use radiosity_reading::checked_readings::{CheckedReadings, PrintedReading};
+use radiosity_reading::checked_readings::{CheckedReadings, IN_THE_OPEN, PrintedReading};
 use radiosity_reading::own_error::OwnError;
 use radiosity_reading::plane_figures::PlaneFigures;
 use radiosity_reading::probe::{Probe, ProbeReading, probe};
@@ -26,7 +26,7 @@ use crate::{
     planes::PlaneArgs,
     points::Points,
     run::{Run, RunArgs},
-    sensors::{IN_THE_OPEN, Sensors},
+    sensors::Sensors,
 };
 
 /// Solves a scene and prints the irradiance at points or on planes of sensors, in the unit of the scene's

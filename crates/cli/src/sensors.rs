@@ -5,9 +5,6 @@ use radiosity_scene::SensorPlane;
 
 use crate::{error::CliError, points::Points};
 
-/// Name, among those of surfaces and planes, of points that lie on none.
-pub(crate) const IN_THE_OPEN: &str = "points in the open";
-
 /// Sensors: points of a file, or planes one after the other.
 #[derive(Debug)]
 pub(crate) enum Sensors {

@@ -15,6 +15,9 @@ use crate::probe::{OnSurface, ProbeReading};
 /// Plural noun of what is checked.
 const READINGS: &str = "readings";
 
+/// Name, among those of surfaces and planes, of points that lie on none.
+pub const IN_THE_OPEN: &str = "points in the open";
+
 /// Part of a cell that may be covered where it is judged. Chosen: rounding of areas.
 const COVERED: f64 = 1e-6;
 

@@ -1,7 +1,7 @@
 //! Irradiance at points, frame after frame.
 
 use radiosity_output::table::{Column, Table, Value};
-use radiosity_reading::checked_readings::PrintedReading;
+use radiosity_reading::checked_readings::{IN_THE_OPEN, PrintedReading};
 use radiosity_reading::own_error::OwnError;
 use radiosity_reading::probe::{ProbeReading, probe};
 use radiosity_reading::quality;
@@ -14,7 +14,7 @@ use radiosity_work::ranks::Ranks;
 use crate::destination::Destination;
 use crate::error::CliError;
 use crate::points::{COLUMNS, Points};
-use crate::sensors::{IN_THE_OPEN, Sensors};
+use crate::sensors::Sensors;
 
 /// The readings of all frames so far.
 #[derive(Debug)]

@@ -25,6 +25,9 @@ import os
 from typing import Literal, TypedDict
 "#;
 
+/// Help on the check of pictures, which are arrays alone in Python.
+const AUDIT_OF_PICTURES: &str = "Seconds that about two threads take to check the pixels by path tracing, which warns of more than their errors tell [default: not checked]";
+
 /// Longest line of Python, as ruff has it.
 const WIDTH: usize = 132;
 
@@ -106,10 +109,16 @@ fn classes() -> Vec<Class> {
             options: together([of::<MethodRequest>(&[], ""), vec![flag("keep_partial", kept)]]),
         },
         Class {
+            name: "Solving",
+            base: "Method",
+            about: "How a scene is solved: the options of `Method`, and this.",
+            options: of::<CheckRequest>(&[], ""),
+        },
+        Class {
             name: "Reading",
             base: "TypedDict",
             about: "How light is read.",
-            options: together([of::<ReadRequest>(&[], ""), threads()]),
+            options: together([of::<ReadRequest>(&[], ""), threads(), of::<CheckRequest>(&[], "")]),
         },
         Class {
             name: "Cells",
@@ -119,15 +128,20 @@ fn classes() -> Vec<Class> {
         },
         Class {
             name: "Auditing",
-            base: "Reading",
-            about: "How light is judged: the options of `Reading`, by which it is read, and these.",
-            options: of::<AuditRequest>(&[], ""),
+            base: "TypedDict",
+            about: "How light is read and judged.",
+            options: together([of::<ReadRequest>(&[], ""), threads(), of::<AuditRequest>(&[], "")]),
         },
         Class {
             name: "Picture",
             base: "TypedDict",
             about: "How a picture is taken.",
-            options: together([of::<RenderArgs>(&["read", "show", "samples"], ""), memory(), threads()]),
+            options: together([
+                of::<RenderArgs>(&["read", "show", "samples"], ""),
+                memory(),
+                threads(),
+                of::<CheckRequest>(&[], AUDIT_OF_PICTURES),
+            ]),
         },
         Class {
             name: "Transfers",
@@ -139,11 +153,7 @@ fn classes() -> Vec<Class> {
             name: "HeatMethod",
             base: "Transfers",
             about: "How a balance of heat is computed: the options of `Transfers`, whose `eps` is then 1e-4, and these.",
-            options: together([
-                of::<HeatRequest>(&[], ""),
-                of::<CheckRequest>(&[], ""),
-                vec![flag("conductances", conductances)],
-            ]),
+            options: together([of::<HeatRequest>(&[], ""), vec![flag("conductances", conductances)]]),
         },
     ]
 }
