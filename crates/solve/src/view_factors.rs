@@ -115,13 +115,15 @@ impl ViewFactors {
         let areas = areas(scene, &elements);
         let exchanges = exchanges(&elements, &blocks, areas.len());
         let is_whole = |i: usize| (0..areas.len()).all(|j| wanted(i, j) || wanted(j, i));
-        let rows = exchanges.iter().zip(row_errors(&elements, &blocks, areas.len())).enumerate();
-        let error = |(i, (row, error)): (usize, (&Vec<(u32, f64)>, RowError))| {
-            own_error(error, areas[i], (error != RowError::default() && is_whole(i)).then(|| sum(row)))
+        let known = row_errors(&elements, &blocks, areas.len());
+        let error = |i: usize| {
+            let is_told = known[i] != RowError::default() && is_whole(i);
+            own_error(known[i], areas[i], is_told.then(|| sum(&exchanges[i])))
         };
+        let errors = (0..areas.len()).map(error).collect();
         Ok(Self {
             names: scene.surfaces.iter().map(|surface| surface.name.clone()).collect(),
-            errors: rows.map(error).collect(),
+            errors,
             exchanges,
             areas,
             pairs: blocks.statistics.pairs,

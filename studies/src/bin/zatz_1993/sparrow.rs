@@ -13,10 +13,10 @@ use std::io::Write;
 use radiosity::Work;
 use radiosity::geom::DVec3;
 use radiosity::geom::shapes::{Disk, FULL_TURN, Parallelogram};
-use radiosity::reading::digits::significant;
 use radiosity::scene::{Material, Scene, SceneBuilder};
 use radiosity::solve::solved::Solved;
 use radiosity::solve::{Direct, Options, Transport};
+use radiosity::work::digits::significant;
 use radiosity_test_support::opposed::{Opposed, Plates};
 
 use crate::curves::{OfOrder, panel, side_by_side};
