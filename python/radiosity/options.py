@@ -230,7 +230,7 @@ class Solving(Method, total=False):
 
     audit: float
         Seconds that about two threads take to check what is printed by path tracing; the number of rays follows from this and from
-        counts of the scene [default: a tenth of the run, 0.1 to 5].
+        counts of the scene [default: a twentieth of the run, 0.1 to 5].
     """
 
     audit: float
@@ -254,7 +254,7 @@ class Reading(TypedDict, total=False):
 
     audit: float
         Seconds that about two threads take to check what is printed by path tracing; the number of rays follows from this and from
-        counts of the scene [default: a tenth of the run, 0.1 to 5].
+        counts of the scene [default: a twentieth of the run, 0.1 to 5].
     """
 
     read: Literal["basis", "direct", "gather", "gather-twice"]
@@ -368,7 +368,7 @@ class Transfers(TypedDict, total=False):
 
     audit: float
         Seconds that about two threads take to check what is printed by path tracing; the number of rays follows from this and from
-        counts of the scene [default: a tenth of the run, 0.1 to 5].
+        counts of the scene [default: a twentieth of the run, 0.1 to 5].
     """
 
     subdivide: int | Literal["auto"]

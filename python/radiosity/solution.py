@@ -42,7 +42,7 @@ class Solution(Light):
         """What path tracing found at about 64 places of the surfaces and planes; None where it does not know such light.
 
         It looks when this or the report is first asked for, or as soon as the scene is solved with `audit=`: for as long as that says,
-        else for a tenth of the run, 0.1 to 5 s. More than the method tells is a `RadiosityWarning`.
+        else for a twentieth of the run, 0.1 to 5 s. More than the method tells is a `RadiosityWarning`.
         """
         return checked(self._native.checked)
 

@@ -45,7 +45,7 @@ pub struct AuditRequest {
 #[cfg_attr(feature = "clap", derive(clap::Args))]
 pub struct CheckRequest {
     /// Seconds that about two threads take to check what is printed by path tracing; the number of rays
-    /// follows from this and from counts of the scene [default: a tenth of the run, 0.1 to 5]
+    /// follows from this and from counts of the scene [default: a twentieth of the run, 0.1 to 5]
     #[cfg_attr(feature = "clap", arg(long, value_name = "SECONDS", allow_negative_numbers = true))]
     pub audit: Option<Number<Seconds>>,
 }
