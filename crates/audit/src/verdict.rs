@@ -40,7 +40,7 @@ const FREEDOM: f64 = Effort::SHIFTS as f64 - 1.0;
 /// Standard errors beyond which something is a finding, of one thing that is looked at: by chance one in 700.
 const FINDING: f64 = 3.0;
 
-/// Standard errors beyond which a method's own estimate is too small. Chosen: two.
+/// Standard errors beyond which an error is taken for more than chance where it makes others larger. Chosen.
 const BEYOND: f64 = 2.0;
 
 /// Part of the mean below which no single reading is named.
@@ -198,16 +198,16 @@ impl Verdict {
     /// The factor κ ≥ 1 by which a method's own estimates of the relative error `own` in the L2 mean are too small,
     ///
     /// ```text
-    /// κ² = (err² + SE) / own²     where err² > own² + 2 SE, else 1 .
+    /// κ² = max(1, (err² + SE) / own²)     where err² > 2 SE, else 1 .
     /// ```
     ///
     /// By chance alone that is so once in forty right runs; of one SE it was in every sixth.
     pub fn factor(&self, own: f64) -> f64 {
         let error = self.squared_error.max(self.by_chance);
-        if self.squared <= own * own + BEYOND * error || own == 0.0 {
+        if self.squared <= BEYOND * error || own == 0.0 {
             return 1.0;
         }
-        (self.squared + error).sqrt() / own
+        ((self.squared + error).sqrt() / own).max(1.0)
     }
 
     /// Whether the readings differ by more than chance from what is true and by more than `told`, the relative
