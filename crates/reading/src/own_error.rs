@@ -19,12 +19,14 @@
 //! | accuracy of the transfers, or of shadows where any are cast | a solution by integrals |
 //! | error that rays leave in elements, a fifth of it where light is gathered | a solution by rays |
 //! | estimate of the adaptation | a solution refined to an accuracy |
+//! | 0 | light by walks, which take nothing from the solution |
 //!
 //! What these do not know, such as light that no polynomial follows, is left to the factor κ of
 //! [`Checked`](radiosity_audit::Checked). Readings of nearly no light by rays, whose deviations are relative
 //! to more than they are, get too little.
 
 use radiosity_solve::Options;
+use radiosity_solve::gather::gather_method::GatherMethod;
 use radiosity_solve::gather::read_irradiance::Deviation;
 use radiosity_solve::solved::Solved;
 use radiosity_solve::studies::adaptation::{Achieved, Aim};
@@ -54,6 +56,9 @@ impl OwnError {
     pub fn of(solved: &Solved, settings: &ReadSettings) -> Self {
         let by_rays = solved.outcome.sampling.map(|sampling| sampling.error.unwrap_or(1.0));
         let own = Self::by(&solved.options, solved.visibility(), by_rays, settings);
+        if settings.by == GatherMethod::Walks {
+            return Self { solution: 0.0, ..own };
+        }
         let found = |Achieved { estimate, of, .. }: Achieved| {
             Some(if of == Aim::Solution { left(settings.read) } else { 1.0 } * estimate?)
         };
