@@ -91,7 +91,7 @@ impl Checked {
     /// What `verdict` makes of own estimates whose relative size in the L2 mean is `own_error`. `of` is the
     /// plural noun of what was judged.
     pub fn with(judged: &[Judged], own_error: f64, verdict: &Verdict, of: &'static str) -> Self {
-        let worst = verdict.worst.first().map(|worst| Named {
+        let worst = verdict.worst.first().filter(|worst| worst.found.value != 0.0).map(|worst| Named {
             of: worst.of.clone(),
             relative: (worst.printed - worst.found.value) / worst.found.value.abs(),
             error: worst.found.error / worst.found.value.abs(),

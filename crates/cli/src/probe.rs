@@ -106,7 +106,7 @@ impl ProbeArgs {
     fn goal(&self, sensors: &[Probe], scene: &Scene, ranks: &Ranks) -> Result<Option<Goal>, CliError> {
         let method = &self.run.method;
         let goal = match (&method.aim, method.wanted_accuracy()) {
-            (None, Some(accuracy)) => Some(at_probes(accuracy, sensors, scene)),
+            (None, Some(accuracy)) => Some(at_probes(accuracy, sensors, scene).for_readings(sensors.len())),
             _ => wanted(method, scene, ranks)?,
         };
         Ok(goal.map(|goal| goal.read_by(self.read.read_by.unwrap_or_default())))
@@ -158,6 +158,7 @@ pub(crate) fn run(
     });
     let figures = figures.collect();
     run.add_checked(checked.map(|own| own.checked));
+    run.take_error_of_walks(readings.iter().map(|reading| (&reading.irradiance[..], reading.deviation)));
     run.add_read_error(ReadError::of(readings.iter().map(|reading| reading.deviation)), reading.eps);
     run.add_planes(figures);
     run.finish((!written.is_empty()).then(|| written.join(" and ")).as_deref())

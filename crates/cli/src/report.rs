@@ -90,7 +90,7 @@ fn heat(args: &ReportPageArgs, scene: &Scene, progress: &Progress, ranks: &Ranks
     let wanted = HeatOptions { options: Options { memory, threads, ..usual.options }, ..usual };
     let work = Work::among(ranks).observed_by(&show);
     let mut balance = Heat::of(scene, &wanted, &work)?;
-    let checked = || check(&mut balance, scene, &args.run.check, &work);
+    let checked = || check(&mut balance, scene, &args.run.check, wanted.options.shadows, &work);
     // Heat that no referee can read keeps the errors that it has.
     let _ = wanted.options.in_threads(ranks, checked)?;
     Ok(balance)

@@ -17,6 +17,8 @@ use radiosity_reading::read_error::ReadError;
 use radiosity_reading::reader::Reader;
 use radiosity_reading::report::Report;
 use radiosity_request::{CheckRequest, MethodRequest};
+use radiosity_solve::gather::gather_method::GatherMethod;
+use radiosity_solve::gather::read_irradiance::Deviation;
 use radiosity_solve::solved::Solved;
 use radiosity_solve::studies::adaptation::Goal;
 use radiosity_solve::{Options, in_threads};
@@ -228,8 +230,35 @@ impl Run {
         self.report.add_planes(planes);
     }
 
+    /// Takes the error of readings by walks, if light had to be read so: their deviations, of which each reading has
+    /// its light, one number a band, over that light in the L2 mean.
+    pub(crate) fn take_error_of_walks<'a>(
+        &mut self,
+        readings: impl Iterator<Item = (&'a [f64], Option<Deviation>)>,
+    ) {
+        if !self.is_by_walks() {
+            return;
+        }
+        let (mut missed, mut size) = (0.0, 0.0);
+        for (light, deviation) in readings {
+            let square: f64 = light.iter().map(|value| value * value).sum();
+            missed += square * deviation.map_or(0.0, |deviation| deviation.relative.powi(2));
+            size += square;
+        }
+        let error = if size > 0.0 { (missed / size).sqrt() } else { 0.0 };
+        self.solved.achieved = self.solved.achieved.map(|achieved| achieved.read(error));
+        self.report.take_achieved(&self.solved);
+    }
+
+    /// Whether light has to be read by walks to have the accuracy that was wanted.
+    fn is_by_walks(&self) -> bool {
+        self.solved.achieved.is_some_and(|achieved| achieved.by == GatherMethod::Walks)
+    }
+
     /// Adds the errors of readings by rays that were to err by `asked`.
     pub(crate) fn add_read_error(&mut self, error: Option<ReadError>, asked: f64) {
+        // Walks are asked for an error relative to the mean, and what is dark errs by more of itself.
+        let asked = if self.is_by_walks() { f64::INFINITY } else { asked };
         self.report.add_read_error(error, asked);
     }
 

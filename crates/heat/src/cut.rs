@@ -156,8 +156,10 @@ fn chosen(varied: &[f64], elements: &Elements, time: Time) -> Vec<usize> {
     order.sort_by(|a, b| varied[*b].total_cmp(&varied[*a]).then(a.cmp(b)));
     let mut count = time.elements;
     let fits = |surface: &usize| {
-        count += 3.0 * elements.of_surface(*surface).len() as f64;
-        time.suffices(count)
+        let more = count + 3.0 * elements.of_surface(*surface).len() as f64;
+        let fits = time.suffices(more);
+        count = if fits { more } else { count };
+        fits
     };
-    order.into_iter().take_while(fits).collect()
+    order.into_iter().filter(fits).collect()
 }

@@ -59,7 +59,8 @@ impl OwnError {
         if settings.by == GatherMethod::Walks {
             return Self { solution: 0.0, ..own };
         }
-        let found = |Achieved { estimate, of, .. }: Achieved| {
+        let found = |Achieved { estimate, of, by, .. }: Achieved| {
+            (by != GatherMethod::Walks).then_some(())?;
             Some(if of == Aim::Solution { left(settings.read) } else { 1.0 } * estimate?)
         };
         let estimate = solved.achieved.and_then(found);

@@ -19,7 +19,7 @@ use crate::rank_work::{RanksWork, peak_bytes};
 use crate::read_error::ReadError;
 pub use crate::warning::Warning;
 pub use warnings::underestimated;
-use warnings::warnings;
+use warnings::{missed_accuracy, warnings};
 
 /// The report of a run: what was done, its cost, and self-checks.
 #[derive(Clone, Debug, Serialize)]
@@ -224,6 +224,13 @@ impl Report {
             checked: None,
             warnings: warnings(solved),
         }
+    }
+
+    /// Takes the accuracy that readings by walks reached, with a warning where it is not what was wanted.
+    pub fn take_achieved(&mut self, solved: &Solved) {
+        let Some(achieved) = &solved.achieved else { return };
+        self.accuracy_estimate = achieved.estimate;
+        self.warnings.extend(missed_accuracy(achieved));
     }
 
     /// Adds the errors of readings by rays that were to err by `asked`, with a warning where they err by much

@@ -16,6 +16,9 @@ use super::refusal::Refusal;
 /// Seconds of looking unless told otherwise. Chosen: most rooms then show errors of half a percent.
 const SECONDS: f64 = 2.0;
 
+/// Seed of the walks of a check: others than those by which an accuracy was judged.
+const OF_CHECKS: u64 = 2;
+
 /// Readings unless told otherwise. Chosen: an L2 mean of 64 is known to a tenth of itself.
 const READINGS: usize = 64;
 
@@ -83,10 +86,11 @@ impl CheckRequest {
             Some(seconds) => Effort::of_seconds(f64::from(seconds), readings, scene),
             None => Effort::beside(run, readings, scene),
         }
+        .seeded(OF_CHECKS)
     }
 
-    /// Walks for each row that is judged of view factors from so many surfaces; None where all of them are exact, or
-    /// what blocks was left out, unless asked for.
+    /// Walks for each row that is judged of view factors from so many surfaces; None where all of them are exact,
+    /// unless asked for, and where what blocks was left out.
     pub fn of_factors(
         &self,
         factors: &ViewFactors,
@@ -94,9 +98,9 @@ impl CheckRequest {
         surfaces: usize,
         scene: &Scene,
     ) -> Option<Effort> {
-        let pays = options.shadows != Shadows::Off && !factors.are_exact();
         let effort = || self.effort(factors.forecast(), surfaces.min(CheckedFactors::ROWS), scene);
-        (pays || self.audit.is_some()).then(effort)
+        let pays = !factors.are_exact() || self.audit.is_some();
+        (options.shadows != Shadows::Off && pays).then(effort)
     }
 }
 

@@ -77,6 +77,13 @@ impl ReadRequest {
 
     /// Refuses rays, or walks of them, where they cannot gather what is asked for.
     fn check_rays(&self, options: &Options, name: &str) -> Result<(), Refusal> {
+        if self.read_by == Some(GatherMethod::Walks) && options.bounces.is_some() {
+            return Err(Refusal::new(
+                set("read-by", name)
+                    + " finds all light, and the solution has that of some reflections alone",
+                words("take ") + set("read-by", "rays") + ", or leave " + option("bounces") + " out",
+            ));
+        }
         if options.masks.is_some() || options.shadows == Shadows::Off {
             return Err(Refusal::new(
                 set("read-by", name)

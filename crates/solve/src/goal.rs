@@ -51,7 +51,7 @@ impl Goal {
 
     /// The goal of this accuracy for light gathered at these points.
     pub fn at(accuracy: f64, points: Vec<[DVec3; 2]>) -> Self {
-        Self { readings: Some(points.len()), points, ..Self::new(accuracy, Aim::Points) }
+        Self { points, ..Self::new(accuracy, Aim::Points) }
     }
 
     /// The goal of this accuracy for the light that a picture shows of surfaces at these points.
@@ -103,7 +103,15 @@ impl Achieved {
 
     /// The accuracy of light for `goal` that is read by walks.
     pub(super) fn by_walks(goal: &Goal) -> Self {
-        Self { by: GatherMethod::Walks, ..Self::new(goal, Some(goal.accuracy), EndReason::Reached) }
+        Self { by: GatherMethod::Walks, ..Self::new(goal, None, EndReason::Reached) }
+    }
+
+    /// This accuracy with the error that light read by walks has, by its standard deviations; too large a one ends
+    /// as walks did.
+    pub fn read(self, error: f64) -> Self {
+        let is_reached = self.wanted.is_none_or(|wanted| error <= wanted);
+        let end = if is_reached { self.end } else { EndReason::Walks };
+        Self { estimate: Some(error), end, ..self }
     }
 
     /// Relative accuracy that light is read to for the accuracy that was wanted: by walks nothing else errs.
@@ -135,6 +143,8 @@ pub enum EndReason {
     /// The next run would have ended after the [deadline](radiosity_work::Deadline), or its rays or its
     /// solver were stopped there.
     Time,
+    /// Readings by walks ended before they were as accurate as wanted.
+    Walks,
     /// A person [wished](radiosity_work::Deadline::wish) the end.
     Stopped,
 }

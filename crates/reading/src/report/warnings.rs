@@ -161,20 +161,23 @@ fn unconverged(outcome: &Outcome) -> Warning {
 
 /// Warnings if a wanted accuracy was not reached.
 fn adaptation(scene: &Scene, achieved: &Achieved) -> Vec<Warning> {
-    let mut warnings = Vec::new();
-    if let Some(why) = why(achieved.end) {
-        let estimate = match achieved.estimate {
-            Some(estimate) => format!("the estimated error is {estimate:.1e}, more than asked for"),
-            None => "there is no estimate of the error".to_owned(),
-        };
-        warnings.push(Warning::general("accuracy-not-reached", words(estimate) + ", and " + why));
-    }
+    let mut warnings: Vec<Warning> = missed_accuracy(achieved).into_iter().collect();
     if scene.surfaces.iter().any(|surface| surface.order.is_some() || surface.subdivide.is_some()) {
         let message = "some surfaces state their own order or subdivide and keep it: no run is finer there, and what \
                        they miss stays in the estimated error";
         warnings.push(Warning::general("accuracy-fixed", message));
     }
     warnings
+}
+
+/// A warning if a wanted accuracy was not reached.
+pub(super) fn missed_accuracy(achieved: &Achieved) -> Option<Warning> {
+    let why = why(achieved.end)?;
+    let estimate = match achieved.estimate {
+        Some(estimate) => format!("the estimated error is {estimate:.1e}, more than asked for"),
+        None => "there is no estimate of the error".to_owned(),
+    };
+    Some(Warning::general("accuracy-not-reached", words(estimate) + ", and " + why))
 }
 
 /// Why no finer run followed and what to do; None if none was needed.
@@ -206,6 +209,7 @@ fn why(end: EndReason) -> Option<Wording> {
                 + option("time-limit")
                 + ", or ask for less"
         }
+        EndReason::Walks => words("walks end where each reading has had its most: ask for less"),
         EndReason::Stopped => words("the run was stopped: let it go on, or ask for less"),
     })
 }

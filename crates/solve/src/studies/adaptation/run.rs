@@ -18,7 +18,11 @@ use crate::goal::{Achieved, EndReason, Goal};
 use crate::solved::Solved;
 
 /// Most rays of readings by walks: a minute of two threads. Chosen.
-const MOST_RAYS_OF_WALKS: f64 = 1e8;
+const MOST_RAYS_OF_WALKS: f64 = 2e8;
+
+/// Rays of walks over those by which their standard deviation would be the accuracy: they are asked for 0.7 of it, stop
+/// with caution, and are doubled.
+const MORE_RAYS: f64 = 4.0;
 
 /// Order of the first runs by exact blocks: the lowest whose error a finer one tells, and whose solution
 /// takes next to no time.
@@ -181,8 +185,10 @@ impl<'a> Adaptation<'a> {
         if self.goal.by != GatherMethod::Auto {
             return false;
         }
-        let rays = readings as f64 * judge.price() / self.goal.accuracy.powi(2);
-        rays < MOST_RAYS_OF_WALKS && seconds_of_rays(rays) < growth * run.outcome.seconds_by_counts()
+        let rays = MORE_RAYS * readings as f64 * judge.price() / self.goal.accuracy.powi(2);
+        let seconds = seconds_of_rays(rays);
+        let is_soon = rays < MOST_RAYS_OF_WALKS && self.work.fits(Duration::from_secs_f64(seconds));
+        is_soon && seconds < growth * run.outcome.seconds_by_counts()
     }
 
     /// The outcome of the run after `before`, or the reason why it ends the sequence.
