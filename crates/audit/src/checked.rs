@@ -54,7 +54,7 @@ pub struct Checked {
     off: Vec<(usize, f64)>,
 }
 
-/// What a referee looked at.
+/// The readings that a referee looked at, and the largest differences.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Looked {
     /// Readings.
@@ -79,7 +79,7 @@ pub struct Named {
 }
 
 impl Checked {
-    /// What `verdict` on the readings `judged` makes of the method's `own` estimates of their errors, one for
+    /// The errors that `verdict` on the readings `judged` makes of the method's `own` estimates of their errors, one for
     /// each reading: root mean squares over its bands. `of` is the plural noun of what was judged.
     ///
     /// # Panics
@@ -88,7 +88,7 @@ impl Checked {
         Self::with(judged, Self::relative(judged, own), verdict, of)
     }
 
-    /// What `verdict` makes of own estimates whose relative size in the L2 mean is `own_error`. `of` is the
+    /// The errors that `verdict` makes of own estimates whose relative size in the L2 mean is `own_error`. `of` is the
     /// plural noun of what was judged.
     pub fn with(judged: &[Judged], own_error: f64, verdict: &Verdict, of: &'static str) -> Self {
         let worst = verdict.worst.first().filter(|worst| worst.found.value != 0.0).map(|worst| Named {

@@ -214,7 +214,7 @@ struct Shutter<'a> {
     asked: &'a Options,
     /// Number of the frame that is checked.
     judged: usize,
-    /// What that found.
+    /// The findings of that.
     checked: Option<Checked>,
     readings: Option<Readings>,
     film: Option<FrameFiles>,

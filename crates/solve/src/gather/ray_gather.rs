@@ -24,8 +24,9 @@
 //! Gathered twice, E₁(y) is itself estimated so, by one ray of either kind.
 //!
 //! *Walked*, E₁(y) is estimated so too, and so is what the ray from y meets, and so on: nothing of the polynomials
-//! is left, and the mean has no bias but that of stopping where eight sequences agree. A walk whose share of what is read is w, the product of the
-//! reflectances on its way, goes on with the probability q = min(0.95, 2 w), and what it finds counts 1/q times.
+//! is left, and the mean has no bias but that of stopping where eight sequences agree. A walk whose share of
+//! what is read is w, the product of the reflectances on its way, goes on with the probability
+//! q = min(0.95, 2 w), and what it finds counts 1/q times.
 //!
 //! References: P. Shirley, C. Wang, K. Zimmerman, *Monte Carlo techniques for direct lighting calculations*,
 //! ACM TOG 15 (1996); E. Veach, L. Guibas, SIGGRAPH 1995, 419-428 (the balance heuristic).

@@ -27,7 +27,7 @@ impl Draft {
         self.kinds.insert(kind);
     }
 
-    /// What is in the scene.
+    /// Kinds of things in the scene.
     pub(crate) fn kinds(&self) -> String {
         self.kinds.iter().copied().collect::<Vec<_>>().join(", ")
     }

@@ -23,7 +23,7 @@ const MILLION: f64 = 1e6;
 pub struct Judgement<'a> {
     /// The verdict.
     pub(super) verdict: &'a Verdict,
-    /// What it makes of the errors that the run tells by itself.
+    /// The errors that it makes of those that the run tells by itself.
     pub(super) checked: Cow<'a, Checked>,
     /// Plural noun of what is judged.
     pub(super) of: &'static str,

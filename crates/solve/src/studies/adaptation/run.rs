@@ -175,8 +175,8 @@ impl<'a> Adaptation<'a> {
         Ok(estimate)
     }
 
-    /// Whether it takes less to read the goal's readings by walks, unless they are to be read in another way, than a run
-    /// that takes `growth` times as long as `run`.
+    /// Whether it takes less to read the goal's readings by walks, unless they are to be read in another way, than
+    /// a run that takes `growth` times as long as `run`.
     fn walks_pay(&self, run: &Solved, growth: f64) -> bool {
         let Some((readings, judge)) = self.goal.readings.zip(self.judge.get().and_then(Option::as_ref))
         else {
