@@ -79,8 +79,8 @@ pub struct Named {
 }
 
 impl Checked {
-    /// The errors that `verdict` on the readings `judged` makes of the method's `own` estimates of their errors, one for
-    /// each reading: root mean squares over its bands. `of` is the plural noun of what was judged.
+    /// The errors that `verdict` on the readings `judged` makes of the method's `own` estimates of their errors,
+    /// one for each reading: root mean squares over its bands. `of` is the plural noun of what was judged.
     ///
     /// # Panics
     /// If there is not an estimate for each reading.
