@@ -2,7 +2,6 @@
 
 use pyo3::prelude::*;
 use radiosity::audit::{Checked, Referee};
-use radiosity::reading::checked_readings::CheckEffort;
 use radiosity::reading::judging::JudgedRun;
 use radiosity::reading::quality::ReadSettings;
 use radiosity::reading::report::underestimated;
@@ -37,20 +36,6 @@ pub(crate) fn warn_of(py: Python<'_>, checked: Option<&Checked>) -> PyResult<()>
     }
 }
 
-/// How much is checked of so many numbers of a solution that were read in so many seconds by counts; None
-/// where a referee does not know such light. A solution that did not converge is told to be wrong.
-pub(crate) fn effort(
-    check: &CheckRequest,
-    solved: &Solved,
-    is_saved: bool,
-    seconds: f64,
-    count: usize,
-) -> Option<CheckEffort> {
-    let solving = if is_saved { 0.0 } else { solved.outcome.seconds_by_counts() };
-    let effort = check.of_light(solving + seconds, count, &solved.scene, &solved.options);
-    effort.filter(|_| solved.outcome.converged)
-}
-
 /// The check of a solution at places of its surfaces and planes that are read with `settings`.
 pub(crate) fn of_solution(
     check: &CheckRequest,
@@ -59,7 +44,7 @@ pub(crate) fn of_solution(
     settings: &ReadSettings,
     work: &Work<'_>,
 ) -> Option<Checked> {
-    let effort = effort(check, solved, is_saved, 0.0, usize::MAX)?;
+    let effort = check.of_solution(solved, is_saved, 0.0, usize::MAX)?;
     let run = JudgedRun::of_all_light(solved, settings, &Referee::of_light(&solved.scene), &effort, work);
     (!run.readings.is_empty()).then_some(run.checked)
 }

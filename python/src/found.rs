@@ -14,8 +14,6 @@ use radiosity::solve::solution;
 use radiosity::solve::solved::Solved;
 use radiosity::visibility::Visibility;
 
-use crate::checked;
-
 /// Where light was found.
 pub(crate) enum Found {
     /// In a scene by itself, or in a file.
@@ -57,10 +55,7 @@ impl Found {
     pub(crate) fn own_error(&self, options: &Options, how: &ReadSettings) -> OwnError {
         match self {
             Self::Solved { solved, .. } => OwnError::of(solved, how),
-            Self::Frame(frame) => {
-                let by_rays = (frame.rays > 0.0).then_some(frame.rays);
-                OwnError::by(options, &frame.visibility, by_rays, how)
-            }
+            Self::Frame(frame) => OwnError::of_frame(frame, options, how),
         }
     }
 
@@ -77,7 +72,7 @@ impl Found {
         match self {
             Self::Solved { solved, is_saved } => {
                 let seconds = seconds_to_read(solved, how, count as f64);
-                checked::effort(check, solved, *is_saved, seconds, count)
+                check.of_solution(solved, *is_saved, seconds, count)
             }
             // Seconds that are asked for do not follow from those of the run.
             Self::Frame(frame) => check.audit.and_then(|_| check.of_light(0.0, count, &frame.scene, options)),

@@ -10,7 +10,6 @@ use radiosity::reading::accuracy_warning::{
     corrected, heat_unchecked, heat_underestimated, missed, no_error_of_cut,
 };
 use radiosity::request::{CheckRequest, HeatRequest, TransferRequest};
-use radiosity::visibility::Shadows;
 use radiosity::work::Work;
 use radiosity::work::ranks::Ranks;
 
@@ -46,11 +45,7 @@ pub(crate) fn heat_of(
         let options = request.options(&transfers, conductances, Ranks::alone());
         let work = Work::alone().observed_by(progress);
         let mut heat = library::Heat::of(&scene.scene, &options, &work)?;
-        let surfaces = heat.to_check(&scene.scene, CheckRequest::READINGS);
-        let effort = check.effort(heat.seconds(), surfaces.len(), &scene.scene);
-        // Rays always see shadows.
-        let is_known = options.options.shadows != Shadows::Off;
-        let checked = || if is_known { heat.check(&scene.scene, &surfaces, &effort, &work) } else { Ok(()) };
+        let checked = || check.check_heat(&mut heat, &scene.scene, options.options.shadows, &work);
         let checked = options.options.in_threads(work.ranks, checked)?;
         Ok::<_, library::HeatError>((heat, checked.err()))
     })?;

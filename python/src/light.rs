@@ -4,7 +4,7 @@ use numpy::{PyArrayDyn, PyReadonlyArray2};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use radiosity::audit::{Checked, Referee};
-use radiosity::reading::checked_readings::{CheckEffort, CheckedReadings, IN_THE_OPEN, PrintedReading};
+use radiosity::reading::checked_readings::{CheckEffort, CheckedReadings, PrintedReading};
 use radiosity::reading::grid::{Cell, Rates, grid};
 use radiosity::reading::pictures::printed_pixels::{PrintedPixels, settings_of_pictures};
 use radiosity::reading::pictures::raster::Raster;
@@ -14,7 +14,6 @@ use radiosity::reading::read_error::ReadError;
 use radiosity::reading::reader::Reader;
 use radiosity::request::cells::require_cells;
 use radiosity::request::{CheckRequest, MethodRequest, ReadRequest, ranges};
-use radiosity::scene;
 use radiosity::solve::gather::read_irradiance::Deviation;
 use radiosity::solve::{Options, in_threads};
 use radiosity::work::Work;
@@ -59,14 +58,6 @@ struct Sensors<'a> {
     plane: Option<&'a str>,
     /// Whether their errors are told.
     tell_errors: bool,
-}
-
-impl Sensors<'_> {
-    /// Name of the plane or the surface of a reading.
-    fn class<'b>(&'b self, reading: &ProbeReading, scene: &'b scene::Scene) -> &'b str {
-        let surface = || reading.on.as_ref().map(|on| scene.surfaces[on.surface].name.as_str());
-        self.plane.or_else(surface).unwrap_or(IN_THE_OPEN)
-    }
 }
 
 impl Light {
@@ -131,10 +122,7 @@ impl Light {
         let (scene, work) = (self.found.scene(), Work::alone().observed_by(progress));
         let readings = probe(&self.reader(&asked.how), sensors.probes, scene.middle, &work)?;
         let own = self.found.own_error(&self.options, &asked.how);
-        let printed = |number: usize| {
-            let reading = &readings[number];
-            PrintedReading::of_probe(reading, scene, &own, sensors.class(reading, scene))
-        };
+        let printed = |number: usize| PrintedReading::of_probe(&readings[number], scene, &own, sensors.plane);
         let is_wanted = sensors.tell_errors || asked.check.audit.is_some();
         let effort = is_wanted.then(|| self.effort(asked, readings.len())).flatten();
         let found = self.judged(effort, readings.len(), printed, &work);

@@ -7,10 +7,9 @@
 //! κ = Verdict::factor(o) ,     o² = Σ w o_i² / Σ w (M_i² − s_i²) .
 //! ```
 //!
-//! Own estimates that are too small are thereby made as
-//! large as what is found; what no walk can see, such as the last digits of a smooth enclosure, stays told by
-//! the method. A number at which the referee looked and which is off by more than chance errs by at least
-//! that difference.
+//! Own estimates that are too small are thereby made as large as what is found; what no walk can see, such as the
+//! last digits of a smooth enclosure, stays told by the method. A number at which the referee looked and which is
+//! off by more than chance errs by at least that difference.
 
 use std::fmt;
 

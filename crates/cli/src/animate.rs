@@ -15,6 +15,7 @@ use radiosity_output::drawings::picture::Picture;
 use radiosity_output::pictures::image::Image;
 use radiosity_output::pictures::tone::Tone;
 use radiosity_reading::checked_readings::{CheckedReadings, PrintedReading, evenly};
+use radiosity_reading::own_error::OwnError;
 use radiosity_reading::pictures::printed_pixels::{PrintedPixels, settings_of_pictures};
 use radiosity_reading::pictures::raster::Raster;
 use radiosity_reading::pictures::render::{render, usual_read, white_balance};
@@ -46,7 +47,7 @@ use crate::{
 };
 use frame_files::FrameFiles;
 use frames::FrameRange;
-use readings::{Readings, own_error};
+use readings::Readings;
 
 /// Solves the frames of a scene in which things move, and takes a picture of each
 #[derive(Debug, Args)]
@@ -292,7 +293,7 @@ impl Shutter<'_> {
     ) -> Result<Option<Checked>, CliError> {
         let camera = camera(self.args.size, &frame.scene)?;
         let settings = settings_of_pictures(self.read.unwrap_or(ReadMode::Gather));
-        let own = own_error(frame, self.asked, &settings);
+        let own = OwnError::of_frame(frame, self.asked, &settings);
         let pixels = PrintedPixels::of(raster, &camera, &frame.scene, &frame.visibility, own);
         Ok(self.check(frame, pixels.count(), |number| pixels.reading(number), ranks))
     }

@@ -13,9 +13,8 @@ use radiosity_output::documents::heat as output;
 use radiosity_reading::accuracy_warning::{
     corrected, heat_unchecked, heat_underestimated, missed, no_error_of_cut,
 };
-use radiosity_request::{CheckRequest, HeatRequest};
+use radiosity_request::HeatRequest;
 use radiosity_scene::Scene;
-use radiosity_visibility::Shadows;
 use radiosity_work::digits::significant;
 use radiosity_work::ranks::Ranks;
 use radiosity_work::{Observer, Progress as Event, Stage, Work};
@@ -121,7 +120,7 @@ pub(crate) fn run(args: &HeatArgs, given: &TypedOptions, ranks: &Ranks) -> Resul
     let options = args.request.options(&args.transfers.request, args.conductances.is_some(), ranks);
     let work = Work::among(ranks).observed_by(&show);
     let mut heat = Heat::of(&scene, &options, &work)?;
-    let checked = || check(&mut heat, &scene, &args.transfers.check, options.options.shadows, &work);
+    let checked = || args.transfers.check.check_heat(&mut heat, &scene, options.options.shadows, &work);
     let unchecked = options.options.in_threads(ranks, checked)?.err();
     files.write(&heat)?;
     if let Some(picture) = files.picture {
@@ -140,25 +139,6 @@ pub(crate) fn run(args: &HeatArgs, given: &TypedOptions, ranks: &Ranks) -> Resul
         Some(checked) => Err(CliError::FoundMore { what: "the heat is", told: checked.own_error }),
         None => Ok(()),
     }
-}
-
-/// Lets a referee make the errors of a balance true; not without shadows, which rays always see.
-///
-/// # Errors
-/// Heat that no referee can read.
-pub(crate) fn check(
-    heat: &mut Heat,
-    scene: &Scene,
-    request: &CheckRequest,
-    shadows: Shadows,
-    work: &Work<'_>,
-) -> Result<(), HeatFault> {
-    if shadows == Shadows::Off {
-        return Ok(());
-    }
-    let surfaces = heat.to_check(scene, CheckRequest::READINGS);
-    let effort = request.effort(heat.seconds(), surfaces.len(), scene);
-    heat.check(scene, &surfaces, &effort, work)
 }
 
 /// The files of a balance, reserved before the work.

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use clap::Args;
 use radiosity_output::table::{Column, Table, Value};
-use radiosity_reading::checked_readings::{CheckedReadings, IN_THE_OPEN, PrintedReading};
+use radiosity_reading::checked_readings::{CheckedReadings, PrintedReading};
 use radiosity_reading::own_error::OwnError;
 use radiosity_reading::plane_figures::PlaneFigures;
 use radiosity_reading::probe::{Probe, ProbeReading, probe};
@@ -138,8 +138,8 @@ pub(crate) fn run(
     let readings = readings.map_err(|(index, fault)| sensors.unreadable(index, fault))?;
     let own = OwnError::of(&run.solved, &reading);
     let printed = |number: usize| {
-        let name = class(scene, &sensors, &readings, number);
-        PrintedReading::of_probe(&readings[number], scene, &own, name)
+        let plane = sensors.plane_of(number).map(SensorPlane::name);
+        PrintedReading::of_probe(&readings[number], scene, &own, plane)
     };
     let seconds = run.seconds_to_read(&reading, readings.len());
     let checked = run.check(readings.len(), printed, seconds)?;
@@ -162,12 +162,6 @@ pub(crate) fn run(
     run.add_read_error(ReadError::of(readings.iter().map(|reading| reading.deviation)), reading.eps);
     run.add_planes(figures);
     run.finish((!written.is_empty()).then(|| written.join(" and ")).as_deref())
-}
-
-/// Name of the plane or the surface of a reading.
-fn class<'a>(scene: &'a Scene, sensors: &'a Sensors, readings: &[ProbeReading], number: usize) -> &'a str {
-    let surface = || readings[number].on.as_ref().map(|on| scene.surfaces[on.surface].name.as_str());
-    sensors.plane_of(number).map(SensorPlane::name).or_else(surface).unwrap_or(IN_THE_OPEN)
 }
 
 /// A row per point: `x,y,z,nx,ny,nz,E_<band>…,error,surface,u,v,B_<band>…`, with the error that is told of

@@ -16,7 +16,7 @@ use radiosity_solve::Options;
 use radiosity_work::ranks::Ranks;
 use radiosity_work::{Progress as Event, Stage, Work};
 
-use crate::{console, error::CliError, heat::check, loaded::Loaded, progress::Progress, run::RunArgs};
+use crate::{console, error::CliError, loaded::Loaded, progress::Progress, run::RunArgs};
 pub(crate) use args::ReportPageArgs;
 use light::ReportLight;
 use report_files::ReportFiles;
@@ -90,7 +90,7 @@ fn heat(args: &ReportPageArgs, scene: &Scene, progress: &Progress, ranks: &Ranks
     let wanted = HeatOptions { options: Options { memory, threads, ..usual.options }, ..usual };
     let work = Work::among(ranks).observed_by(&show);
     let mut balance = Heat::of(scene, &wanted, &work)?;
-    let checked = || check(&mut balance, scene, &args.run.check, wanted.options.shadows, &work);
+    let checked = || args.run.check.check_heat(&mut balance, scene, wanted.options.shadows, &work);
     // Heat that no referee can read keeps the errors that it has.
     let _ = wanted.options.in_threads(ranks, checked)?;
     Ok(balance)

@@ -11,11 +11,6 @@ use super::Heat;
 use super::judging::JudgedHeat;
 
 impl Heat {
-    /// About the seconds that the balance took two threads, from counts of its work.
-    pub fn seconds(&self) -> f64 {
-        self.outcome.seconds_by_counts()
-    }
-
     /// Surfaces for a referee to look at, at most `most`: evenly those that can be judged.
     pub fn to_check(&self, scene: &Scene, most: usize) -> Vec<usize> {
         let all = self.judgeable(scene);

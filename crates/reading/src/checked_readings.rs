@@ -16,7 +16,7 @@ use crate::probe::{OnSurface, ProbeReading};
 const READINGS: &str = "readings";
 
 /// Name, among those of surfaces and planes, of points that lie on none.
-pub const IN_THE_OPEN: &str = "points in the open";
+const IN_THE_OPEN: &str = "points in the open";
 
 /// Part of a cell that may be covered where it is judged. Chosen: rounding of areas.
 const COVERED: f64 = 1e-6;
@@ -42,16 +42,22 @@ pub struct PrintedReading {
 }
 
 impl PrintedReading {
-    /// A probe's reading, of the surface or plane `class`; None on the edge of a surface: light there is the limit from
-    /// within, and walks start beside it as well.
-    pub fn of_probe(reading: &ProbeReading, scene: &Scene, own: &OwnError, class: &str) -> Option<Self> {
+    /// A probe's reading, of a `plane` or else of the surface that it lies on; None on the edge of a surface:
+    /// light there is the limit from within, and walks start beside it as well.
+    pub fn of_probe(
+        reading: &ProbeReading,
+        scene: &Scene,
+        own: &OwnError,
+        plane: Option<&str>,
+    ) -> Option<Self> {
+        let surface = || reading.on.as_ref().map(|on| scene.surfaces[on.surface].name.as_str());
         let is_on_edge = |on: &OnSurface| on.parameters.iter().any(|parameter| parameter.abs() > 1.0 - EDGE);
         (!reading.on.as_ref().is_some_and(is_on_edge)).then(|| Self {
             spot: reading.probe.spot(scene),
             printed: reading.irradiance.clone(),
             printed_groups: Vec::new(),
             own: own.of_reading(&reading.irradiance, reading.deviation),
-            class: class.to_owned(),
+            class: plane.or_else(surface).unwrap_or(IN_THE_OPEN).to_owned(),
         })
     }
 

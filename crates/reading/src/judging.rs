@@ -87,7 +87,8 @@ impl JudgedRun {
         let whole = read(&solved.outcome.solution);
         let groups: Vec<Vec<Option<Vec<f64>>>> = groups.into_iter().map(|own| own.read(&all, read)).collect();
         let printed = |place: usize| {
-            let whole = PrintedReading::of_probe(whole[place].as_ref()?, scene, &own, &all[place].class)?;
+            let whole =
+                PrintedReading::of_probe(whole[place].as_ref()?, scene, &own, Some(&all[place].class))?;
             let printed_groups = groups.iter().filter_map(|own| own[place].clone()).collect();
             Some(PrintedReading { printed_groups, ..whole })
         };

@@ -26,6 +26,7 @@
 //! to more than they are, get too little.
 
 use radiosity_solve::Options;
+use radiosity_solve::animation::frame::Frame;
 use radiosity_solve::gather::gather_method::GatherMethod;
 use radiosity_solve::gather::read_irradiance::Deviation;
 use radiosity_solve::solved::Solved;
@@ -67,14 +68,14 @@ impl OwnError {
         Self { solution: estimate.unwrap_or(own.solution), ..own }
     }
 
+    /// Of light of a frame that was solved with these options and is read with `settings`.
+    pub fn of_frame(frame: &Frame, options: &Options, settings: &ReadSettings) -> Self {
+        Self::by(options, &frame.visibility, (frame.rays > 0.0).then_some(frame.rays), settings)
+    }
+
     /// Of light that is read with `settings` of a solution with these options among these obstacles, in which
     /// rays left the relative error `by_rays`, where they carried light.
-    pub fn by(
-        options: &Options,
-        visibility: &Visibility,
-        by_rays: Option<f64>,
-        settings: &ReadSettings,
-    ) -> Self {
+    fn by(options: &Options, visibility: &Visibility, by_rays: Option<f64>, settings: &ReadSettings) -> Self {
         let reading = if settings.read == ReadMode::Basis { 0.0 } else { BY_CELLS * settings.eps };
         let shadows = if visibility.has_obstacles() { options.accuracy().shadow_eps } else { 0.0 };
         let transfers = options.eps.max(shadows);

@@ -1,12 +1,15 @@
 //! Requests for a referee: how long it looks, and at how many readings.
 
-use radiosity_audit::Effort;
+use radiosity_audit::{Effort, HeatFault};
+use radiosity_heat::Heat;
 use radiosity_reading::checked_factors::CheckedFactors;
 use radiosity_reading::checked_readings::{CheckEffort, evenly};
 use radiosity_scene::Scene;
 use radiosity_solve::Options;
+use radiosity_solve::solved::Solved;
 use radiosity_solve::view_factors::{self, ViewFactors};
 use radiosity_visibility::Shadows;
+use radiosity_work::Work;
 use radiosity_work::wording::{Wording, option, set, words};
 use serde::Deserialize;
 
@@ -55,7 +58,7 @@ pub struct CheckRequest {
 
 impl CheckRequest {
     /// Numbers that are checked at the most. Chosen: an L2 mean of 64 is known to a tenth of itself.
-    pub const READINGS: usize = READINGS;
+    const READINGS: usize = READINGS;
 
     /// Refuses a check that was typed of light that a referee does not know.
     ///
@@ -80,8 +83,41 @@ impl CheckRequest {
         Some(CheckEffort { readings, effort: self.effort(run, readings, scene), seed: 0 })
     }
 
+    /// The readings that are checked of `count` numbers that are printed of `solved`, whose reading took about
+    /// `reading` seconds by counts, or which a file held; None also where the solver did not converge, which is told.
+    pub fn of_solution(
+        &self,
+        solved: &Solved,
+        is_saved: bool,
+        reading: f64,
+        count: usize,
+    ) -> Option<CheckEffort> {
+        let solving = if is_saved { 0.0 } else { solved.outcome.seconds_by_counts() };
+        let effort = self.of_light(solving + reading, count, &solved.scene, &solved.options);
+        effort.filter(|_| solved.outcome.converged)
+    }
+
+    /// Lets a referee make the errors of a balance true; not without `shadows`, which rays always see.
+    ///
+    /// # Errors
+    /// Heat that no referee can read.
+    pub fn check_heat(
+        &self,
+        heat: &mut Heat,
+        scene: &Scene,
+        shadows: Shadows,
+        work: &Work<'_>,
+    ) -> Result<(), HeatFault> {
+        if shadows == Shadows::Off {
+            return Ok(());
+        }
+        let surfaces = heat.to_check(scene, Self::READINGS);
+        let effort = self.effort(heat.outcome.seconds_by_counts(), surfaces.len(), scene);
+        heat.check(scene, &surfaces, &effort, work)
+    }
+
     /// Walks for each of so many numbers that are printed of a scene, beside a run of about so many seconds.
-    pub fn effort(&self, run: f64, readings: usize, scene: &Scene) -> Effort {
+    fn effort(&self, run: f64, readings: usize, scene: &Scene) -> Effort {
         match self.audit {
             Some(seconds) => Effort::of_seconds(f64::from(seconds), readings, scene),
             None => Effort::beside(run, readings, scene),

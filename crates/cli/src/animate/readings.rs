@@ -1,7 +1,7 @@
 //! Irradiance at points, frame after frame.
 
 use radiosity_output::table::{Column, Table, Value};
-use radiosity_reading::checked_readings::{IN_THE_OPEN, PrintedReading};
+use radiosity_reading::checked_readings::PrintedReading;
 use radiosity_reading::own_error::OwnError;
 use radiosity_reading::probe::{ProbeReading, probe};
 use radiosity_reading::quality;
@@ -51,7 +51,7 @@ impl Readings {
         let reader = self.how.reader(&frame.solution, &frame.visibility);
         let read = probe(&reader, &self.sensors.probes(), frame.scene.middle, &Work::among(ranks));
         let read = read.map_err(|(index, fault)| self.sensors.unreadable(index, fault))?;
-        let own = own_error(frame, options, &self.how);
+        let own = OwnError::of_frame(frame, options, &self.how);
         self.frames.push(FrameReadings { frame: number, readings: read, own });
         Ok(())
     }
@@ -60,9 +60,7 @@ impl Readings {
     pub(super) fn printed(&self, number: usize, frame: &Frame) -> Option<PrintedReading> {
         let FrameReadings { readings, own, .. } = self.frames.last()?;
         let reading = readings.get(number)?;
-        let name =
-            reading.on.as_ref().map_or(IN_THE_OPEN, |on| frame.scene.surfaces[on.surface].name.as_str());
-        PrintedReading::of_probe(reading, &frame.scene, own, name)
+        PrintedReading::of_probe(reading, &frame.scene, own, None)
     }
 
     /// Number of the points.
@@ -98,9 +96,4 @@ impl Readings {
         let table = Table::new(columns, rows);
         Destination::of(None, ranks).write(|writer| table.listed().csv(writer))
     }
-}
-
-/// Own estimates of errors of a frame that was solved with these options and is read with `how`.
-pub(super) fn own_error(frame: &Frame, options: &Options, how: &quality::ReadSettings) -> OwnError {
-    OwnError::by(options, &frame.visibility, (frame.rays > 0.0).then_some(frame.rays), how)
 }

@@ -97,8 +97,8 @@ impl<'a> ReportLight<'a> {
         let own = OwnError::of(&run.solved, &reading);
         let printed = |number: usize| match sensed.get(number) {
             Some(reading) => {
-                let name = self.sensors.plane_of(number).map_or("", SensorPlane::name);
-                PrintedReading::of_probe(reading, scene, &own, name)
+                let plane = self.sensors.plane_of(number).map(SensorPlane::name);
+                PrintedReading::of_probe(reading, scene, &own, plane)
             }
             None => PrintedReading::of_cell(&cells[number - sensed.len()], self.cells, scene, &own),
         };

@@ -47,11 +47,8 @@ impl Run {
         seconds_to_read(&self.solved, settings, points as f64)
     }
 
-    /// How much of so many numbers is checked after so many seconds of reading. A solution that did not
-    /// converge is told to be wrong.
+    /// The readings that are checked of so many numbers, after so many seconds of reading.
     fn check_effort(&self, seconds: f64, count: usize) -> Option<CheckEffort> {
-        let solving = if self.is_saved() { 0.0 } else { self.solved.outcome.seconds_by_counts() };
-        let effort = self.check.of_light(solving + seconds, count, &self.solved.scene, &self.solved.options);
-        effort.filter(|_| self.solved.outcome.converged)
+        self.check.of_solution(&self.solved, self.is_saved(), seconds, count)
     }
 }

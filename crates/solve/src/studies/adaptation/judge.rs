@@ -27,18 +27,12 @@ const FIRST: f64 = 0.1;
 const LONGEST: f64 = 10.0;
 const OF_A_RUN: f64 = 5.0;
 
-/// Least error that would be seen, over the wanted one, from which the judge decides. Chosen: err² is then known to
-/// a third of A².
-const SHARP: f64 = 1.0;
-
 /// Light at sensors that is right in the mean, and how well it is known.
 #[derive(Debug)]
 pub(super) struct Judge {
     sensors: Vec<Sensor>,
     estimates: Vec<Estimate>,
-    /// Walks of a sensor.
-    walks: f64,
-    /// Whether an error as small as is wanted would be seen.
+    /// Whether an error as small as is wanted would be seen; err² is then known to a third of A².
     pub is_sharp: bool,
 }
 
@@ -57,22 +51,15 @@ impl Judge {
         let referee = Referee::of_light(scene);
         let spots: Vec<Spot> = sensors.iter().map(Sensor::spot).collect();
         let first = Effort::of_seconds(FIRST, spots.len(), scene);
-        let mut judge = Self {
-            estimates: referee.estimates(&spots, &first, work),
-            walks: first.walks() as f64,
-            is_sharp: false,
-            sensors,
-        };
-        let visible = judge.visible();
-        let more = (visible / (SHARP * accuracy)).powi(2);
+        let mut judge = Self { estimates: referee.estimates(&spots, &first, work), is_sharp: false, sensors };
+        let more = (judge.visible() / accuracy).powi(2);
         let longest = (OF_A_RUN * run.outcome.seconds_by_counts()).min(LONGEST);
         if more > 1.0 && FIRST * more <= longest {
-            let effort = Effort::of_walks(judge.walks * more).seeded(1);
+            let effort = Effort::of_walks(first.walks() as f64 * more).seeded(1);
             judge.estimates = referee.estimates(&spots, &effort, work);
-            judge.walks = effort.walks() as f64;
         }
         // Walks come in powers of 2.
-        judge.is_sharp = judge.visible() <= std::f64::consts::SQRT_2 * SHARP * accuracy;
+        judge.is_sharp = judge.visible() <= std::f64::consts::SQRT_2 * accuracy;
         judge
     }
 
