@@ -1,17 +1,7 @@
 //! Effort: how many walks a reading gets, from counts.
 
-use radiosity_scene::Scene;
-
 use crate::lattice::MOST;
-
-/// Walks a second of two threads of a common machine in a box of flat surfaces. Measured: study `referee`.
-const WALKS_A_SECOND: f64 = 1.2e6;
-
-/// By how much longer a walk takes where there are twice as many surfaces. Measured: 17 scenes of up to 10 000.
-const DEEPER: f64 = 0.125;
-
-/// Surfaces of a box, with what is in it.
-const BOX: f64 = 16.0;
+use crate::walk_cost::WalkCost;
 
 /// Walks of one move of the lattice, as a power of 2, by which means over surfaces are normal numbers. Measured: of
 /// heat and view factors they are not with fewer.
@@ -46,21 +36,22 @@ impl Effort {
         Self { log: (log as u32).min(MOST), seed: 0 }
     }
 
-    /// About as many walks as two threads of a common machine make in `seconds` for so many readings of a scene,
-    /// within a factor of two: curved surfaces take twice as long, and many longer than few. The number follows from
-    /// these counts alone.
-    pub fn of_seconds(seconds: f64, readings: usize, scene: &Scene) -> Self {
-        let surfaces = scene.surfaces.len() as f64;
-        let curved = scene.surfaces.iter().filter(|surface| surface.shape.region().is_none()).count();
-        let deeper = 1.0 + DEEPER * (surfaces.max(BOX) / BOX).log2();
-        let bent = 1.0 + curved as f64 / surfaces;
-        Self::of_walks(seconds * WALKS_A_SECOND / (deeper * bent * readings.max(1) as f64))
+    /// About as many walks as two threads of a common machine make in `seconds` for so many readings, within a factor
+    /// of two. The number follows from counts alone.
+    pub fn of_seconds(seconds: f64, readings: usize, cost: &WalkCost) -> Self {
+        Self::of_walks(cost.walks(seconds) / readings.max(1) as f64)
     }
 
-    /// The effort that a run of about so many seconds is worth, which follow from counts of its work: a twentieth of
-    /// them, at least 0.09 s, 5 s at the most, for so many readings of a scene.
-    pub fn beside(seconds: f64, readings: usize, scene: &Scene) -> Self {
-        Self::of_seconds((OF_A_RUN * seconds).clamp(LEAST, LONGEST), readings, scene)
+    /// Seconds that the referee of a run of about so many seconds takes, which follow from counts of its work: a
+    /// twentieth of them, at least 0.09 s, 5 s at the most.
+    pub fn seconds_beside(run: f64) -> f64 {
+        (OF_A_RUN * run).clamp(LEAST, LONGEST)
+    }
+
+    /// As many readings as may be judged in so many seconds, at most `most`: fewer where light goes on for long, and
+    /// none where it does so for good.
+    pub fn readings(seconds: f64, most: usize, cost: &WalkCost) -> usize {
+        cost.readings(seconds, Self::SHIFTS, most)
     }
 
     /// The effort, or the least by which means over surfaces are normal numbers.

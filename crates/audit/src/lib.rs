@@ -8,7 +8,7 @@
 //!
 //! In order: draws (`random`, `lattice`), bands that walk together (`spectrum`), points spread over surfaces
 //! (`spread`), what rays meet (`rays`), what surfaces send (`skin`, `groups`, `lamps`, `suns`, `sheets`), walks
-//! (`walk`), what is read (`spot`, `sample`), how much of it (`effort`), the [`Referee`] of light, those of heat
+//! (`walk`), what is read (`spot`, `sample`), how much of it (`walk_cost`, `effort`), the [`Referee`] of light, those of heat
 //! ([`HeatReferee`]) and of view factors ([`ViewFactorReferee`]), the [`Verdict`] on printed numbers, the second
 //! look at what stands out (`second_look`), and what it makes of the errors that a run tells ([`Checked`]).
 //!
@@ -27,6 +27,7 @@ mod sheets;
 mod walk;
 mod spot;
 mod sample;
+mod walk_cost;
 mod effort;
 mod referee;
 mod heat;
@@ -43,3 +44,4 @@ pub use sample::SamplePoint;
 pub use spot::{Pixel, Spot};
 pub use verdict::{Judged, SignedMean, Verdict, WorstReading};
 pub use view_factors::{ViewFactor, ViewFactorReferee, ViewFactorRow};
+pub use walk_cost::WalkCost;

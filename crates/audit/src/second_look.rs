@@ -2,8 +2,8 @@
 //!
 //! A few walks in a thousand may carry most of the light: where none of them was drawn, a mean is too low and
 //! its error too small, and a right reading stands out. If a first verdict finds more than the run tells, the
-//! readings that make it do so, at most [`MOST`], are estimated again by four times as many walks with other
-//! draws. If these readings by themselves are found to be off again, the first verdict stands: it is of all
+//! readings that make it do so, at most a quarter of all, are estimated again by four times as many walks with other
+//! draws: that takes as long as the first look. If these readings by themselves are found to be off again, the first verdict stands: it is of all
 //! readings, none of them chosen. If not, it was chance: their new estimates take the place of the first, and the
 //! verdict is made anew.
 
@@ -14,8 +14,8 @@ use crate::referee::{Estimate, Referee};
 use crate::spot::Spot;
 use crate::verdict::{Judged, Verdict};
 
-/// Most readings that are looked at again. Chosen: of 64 readings, they then cost as much as the first look.
-const MOST: usize = 16;
+/// Readings for each one that may be looked at again.
+const ONE_IN: usize = 4;
 
 impl Referee {
     /// The verdict on `judged`, the readings of `spots` with estimates by `effort`, for a run that tells the
@@ -38,7 +38,7 @@ impl Referee {
         if !first.finds(told) {
             return first;
         }
-        let chosen = first.standing_out(judged, told, MOST);
+        let chosen = first.standing_out(judged, told, judged.len().div_ceil(ONE_IN));
         let again: Vec<Spot> = chosen.iter().map(|reading| spots[*reading].clone()).collect();
         let rays = |judged: &[Judged]| judged.iter().map(|own| own.estimate.rays).sum::<u64>();
         let before = rays(judged);

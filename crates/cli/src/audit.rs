@@ -5,7 +5,7 @@ mod picture;
 use std::path::{Path, PathBuf};
 
 use clap::{Args, Command, ValueEnum};
-use radiosity_audit::Referee;
+use radiosity_audit::{Referee, WalkCost};
 use radiosity_heat::Heat;
 use radiosity_heat::judging::JudgedHeat;
 use radiosity_output::documents::audit as output;
@@ -227,7 +227,7 @@ impl AuditArgs {
         let work = Work::among(ranks).observed_by(&progress);
         let heat = Heat::of(&scene, &options, &work)?;
         let surfaces = self.audit.chosen(&heat.judgeable(&scene));
-        let effort = self.audit.effort(surfaces.len(), &scene);
+        let effort = self.audit.effort(surfaces.len(), &WalkCost::of_heat(&scene));
         let judge = || JudgedHeat::of(&scene, &heat, &surfaces, &effort, &work);
         let judged = options.options.in_threads(ranks, judge)??;
         progress.clear();
@@ -246,7 +246,7 @@ impl AuditArgs {
         let work = Work::among(ranks).observed_by(&progress);
         let factors = ViewFactors::new(&scene, &options, &work)?;
         let rows = self.audit.chosen(&(0..scene.surfaces.len()).collect::<Vec<_>>());
-        let effort = self.audit.effort(rows.len(), &scene);
+        let effort = self.audit.effort(rows.len(), &WalkCost::of_view_factors(&scene));
         let judge = || JudgedFactors::of(&scene, &factors, &options, &rows, &|_, _| true, &effort, &work);
         let judged = in_threads(ranks.threads(options.threads), judge)?;
         progress.clear();

@@ -5,6 +5,7 @@
 
 use radiosity_audit::{Checked, Effort, Estimate, Judged, Referee, Spot, Verdict};
 use radiosity_elements::cells::cells_of;
+use radiosity_geom::{Rect, Surface};
 use radiosity_scene::Scene;
 use radiosity_work::Work;
 
@@ -42,7 +43,7 @@ pub struct PrintedReading {
 }
 
 impl PrintedReading {
-    /// A probe's reading, of a `plane` or else of the surface that it lies on; None on the edge of a surface:
+    /// A probe's reading, of a `plane` or else of the surface that it lies on; None on the border of a surface:
     /// light there is the limit from within, and walks start beside it as well.
     pub fn of_probe(
         reading: &ProbeReading,
@@ -51,8 +52,8 @@ impl PrintedReading {
         plane: Option<&str>,
     ) -> Option<Self> {
         let surface = || reading.on.as_ref().map(|on| scene.surfaces[on.surface].name.as_str());
-        let is_on_edge = |on: &OnSurface| on.parameters.iter().any(|parameter| parameter.abs() > 1.0 - EDGE);
-        (!reading.on.as_ref().is_some_and(is_on_edge)).then(|| Self {
+        let is_on_border = |on: &OnSurface| is_border(&*scene.surfaces[on.surface].shape, on.parameters);
+        (!reading.on.as_ref().is_some_and(is_on_border)).then(|| Self {
             spot: reading.probe.spot(scene),
             printed: reading.irradiance.clone(),
             printed_groups: Vec::new(),
@@ -73,6 +74,19 @@ impl PrintedReading {
             class: scene.surfaces[cell.surface].name.clone(),
         })
     }
+}
+
+/// Whether a place lies on the border of a shape: at an end of a parameter, but at no seam, where both ends are one
+/// place, and at no pole, where the other parameter changes nothing.
+fn is_border(shape: &dyn Surface, [u, v]: [f64; 2]) -> bool {
+    let extent = shape.bounds(&Rect::FULL).diagonal();
+    let here = shape.jet(u, v).position;
+    let is_here = |u: f64, v: f64| shape.jet(u, v).position.distance(here) <= EDGE * extent;
+    let is_end = |parameter: f64| parameter.abs() > 1.0 - EDGE;
+    let elsewhere = |parameter: f64| parameter - 0.7 * parameter.signum();
+    let ends_u = is_end(u) && !is_here(-u, v) && !is_here(u, elsewhere(v));
+    let ends_v = is_end(v) && !is_here(u, -v) && !is_here(elsewhere(u), v);
+    ends_u || ends_v
 }
 
 /// How much is checked, and by how many walks.
@@ -167,7 +181,10 @@ pub fn evenly<T>(
 
 #[cfg(test)]
 mod tests {
+    use std::f64::consts::PI;
+
     use radiosity_geom::DVec3;
+    use radiosity_geom::shapes::{Cylinder, FULL_TURN, Sphere};
     use radiosity_language::builtin;
 
     use super::*;
@@ -224,5 +241,18 @@ mod tests {
         let half = checked(|number| floor(number, 2.0, 1e-2).filter(|_| number < 64));
         assert_eq!(half.judged.len(), 32);
         assert!(checked(|_| None).judged.is_empty());
+    }
+
+    #[test]
+    fn seams_and_poles_are_no_borders() {
+        let pipe = Cylinder::new(DVec3::ZERO, DVec3::Z, 1.0, FULL_TURN).expect("it is one");
+        let half = Cylinder::new(DVec3::ZERO, DVec3::Z, 1.0, [0.0, PI]).expect("it is one");
+        let ball = Sphere::new(DVec3::ZERO, 1.0, DVec3::Z, [-1.0, 1.0], FULL_TURN).expect("it is one");
+        let is_border =
+            |shape: &dyn Surface, ends: [[f64; 2]; 3]| ends.map(|end| super::is_border(shape, end));
+        let ends = [[-1.0, 0.5], [0.5, 1.0], [0.5, 0.5]];
+        assert_eq!(is_border(&pipe, ends), [false, true, false]);
+        assert_eq!(is_border(&half, ends), [true, true, false]);
+        assert_eq!(is_border(&ball, ends), [false; 3]);
     }
 }

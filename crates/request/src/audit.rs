@@ -1,6 +1,6 @@
 //! Requests for a referee: how long it looks, and at how many readings.
 
-use radiosity_audit::{Effort, HeatFault};
+use radiosity_audit::{Effort, HeatFault, WalkCost};
 use radiosity_heat::Heat;
 use radiosity_reading::checked_factors::CheckedFactors;
 use radiosity_reading::checked_readings::{CheckEffort, evenly};
@@ -79,8 +79,10 @@ impl CheckRequest {
         if other_physics(options).is_some() || scene.require_light().is_err() {
             return None;
         }
-        let readings = Self::READINGS.min(count);
-        Some(CheckEffort { readings, effort: self.effort(run, readings, scene), seed: 0 })
+        let (seconds, cost) = (self.seconds(run), WalkCost::of_light(scene));
+        let readings = Effort::readings(seconds, Self::READINGS.min(count), &cost);
+        let effort = Effort::of_seconds(seconds, readings, &cost).seeded(OF_CHECKS);
+        (readings > 0).then_some(CheckEffort { readings, effort, seed: 0 })
     }
 
     /// The readings that are checked of `count` numbers that are printed of `solved`, whose reading took about
@@ -111,18 +113,15 @@ impl CheckRequest {
         if shadows == Shadows::Off {
             return Ok(());
         }
-        let surfaces = heat.to_check(scene, Self::READINGS);
-        let effort = self.effort(heat.outcome.seconds_by_counts(), surfaces.len(), scene);
+        let (seconds, cost) = (self.seconds(heat.outcome.seconds_by_counts()), WalkCost::of_heat(scene));
+        let surfaces = heat.to_check(scene, Effort::readings(seconds, Self::READINGS, &cost));
+        let effort = Effort::of_seconds(seconds, surfaces.len(), &cost).seeded(OF_CHECKS);
         heat.check(scene, &surfaces, &effort, work)
     }
 
-    /// Walks for each of so many numbers that are printed of a scene, beside a run of about so many seconds.
-    fn effort(&self, run: f64, readings: usize, scene: &Scene) -> Effort {
-        match self.audit {
-            Some(seconds) => Effort::of_seconds(f64::from(seconds), readings, scene),
-            None => Effort::beside(run, readings, scene),
-        }
-        .seeded(OF_CHECKS)
+    /// Seconds of the check beside a run of about so many.
+    fn seconds(&self, run: f64) -> f64 {
+        self.audit.map_or_else(|| Effort::seconds_beside(run), f64::from)
     }
 
     /// Walks for each row that is judged of view factors from so many surfaces; None where all of them are exact,
@@ -134,7 +133,9 @@ impl CheckRequest {
         surfaces: usize,
         scene: &Scene,
     ) -> Option<Effort> {
-        let effort = || self.effort(factors.forecast(), surfaces.min(CheckedFactors::ROWS), scene);
+        let rows = surfaces.min(CheckedFactors::ROWS);
+        let cost = WalkCost::of_view_factors(scene);
+        let effort = || Effort::of_seconds(self.seconds(factors.forecast()), rows, &cost).seeded(OF_CHECKS);
         let pays = !factors.are_exact() || self.audit.is_some();
         (options.shadows != Shadows::Off && pays).then(effort)
     }
@@ -154,13 +155,13 @@ impl AuditRequest {
     /// The readings to be judged of a solution of `scene`.
     pub fn judging(&self, scene: &Scene) -> CheckEffort {
         let readings = self.readings();
-        CheckEffort { readings, effort: self.effort(readings, scene), seed: self.seed() }
+        CheckEffort { readings, effort: self.effort(readings, &WalkCost::of_light(scene)), seed: self.seed() }
     }
 
-    /// Walks for each of so many readings of a scene.
-    pub fn effort(&self, readings: usize, scene: &Scene) -> Effort {
+    /// Walks of this cost for each of so many readings.
+    pub fn effort(&self, readings: usize, cost: &WalkCost) -> Effort {
         let seconds = self.seconds.map_or(SECONDS, f64::from);
-        Effort::of_seconds(seconds, readings, scene).seeded(self.seed())
+        Effort::of_seconds(seconds, readings, cost).seeded(self.seed())
     }
 
     /// As many of these surfaces as are judged: one of each part of equal length.

@@ -6,7 +6,7 @@
 
 use std::sync::LazyLock;
 
-use radiosity::audit::{Effort, Estimate, Judged, Referee, SamplePoint, Spot, Verdict};
+use radiosity::audit::{Effort, Estimate, Judged, Referee, SamplePoint, Spot, Verdict, WalkCost};
 use radiosity::reading::probe::{Probe, probe};
 use radiosity::reading::quality::Quality;
 use radiosity::{Options, Scene, Work};
@@ -102,7 +102,7 @@ static ROOM_SEEN: LazyLock<Seen> = LazyLock::new(|| {
     let is_read = |own: &SamplePoint| !scene.surfaces[own.surface].name.contains("lamp");
     let sample: Vec<SamplePoint> = referee.sample(READINGS, 0).into_iter().filter(is_read).collect();
     let spots: Vec<Spot> = sample.iter().map(|own| own.spot.clone()).collect();
-    let effort = Effort::of_seconds(SECONDS, spots.len(), &scene).seeded(9);
+    let effort = Effort::of_seconds(SECONDS, spots.len(), &WalkCost::of_light(&scene)).seeded(9);
     let found = referee.estimates(&spots, &effort, &Work::alone());
     Seen { scene, sample, found }
 });

@@ -7,7 +7,7 @@
 //! err² + SE ≤ A²     (see radiosity_audit::Verdict) .
 //! ```
 
-use radiosity_audit::{Effort, Estimate, Judged, Referee, Spot, Verdict};
+use radiosity_audit::{Effort, Estimate, Judged, Referee, Spot, Verdict, WalkCost};
 use radiosity_work::Work;
 use radiosity_work::ranks::PartName;
 
@@ -42,7 +42,8 @@ impl Judge {
     pub(super) fn of(goal: &Goal, run: &Solved, work: &Work<'_>) -> Option<Self> {
         let (solution, visibility) = (&run.outcome.solution, run.visibility());
         let is_all = visibility.casts() && solution.masked().is_none() && !solution.is_truncated();
-        let sensors = Sensor::some_of(Sensor::of(goal, solution, visibility), READINGS);
+        let readings = Effort::readings(FIRST, READINGS, &WalkCost::of_light(&run.scene));
+        let sensors = Sensor::some_of(Sensor::of(goal, solution, visibility), readings);
         (is_all && !sensors.is_empty()).then(|| Self::at(sensors, goal.accuracy, run, work))
     }
 
@@ -50,7 +51,7 @@ impl Judge {
         let scene = &run.scene;
         let referee = Referee::of_light(scene);
         let spots: Vec<Spot> = sensors.iter().map(Sensor::spot).collect();
-        let first = Effort::of_seconds(FIRST, spots.len(), scene);
+        let first = Effort::of_seconds(FIRST, spots.len(), &WalkCost::of_light(scene));
         let mut judge = Self { estimates: referee.estimates(&spots, &first, work), is_sharp: false, sensors };
         let more = (judge.visible() / accuracy).powi(2);
         let longest = (OF_A_RUN * run.outcome.seconds_by_counts()).min(LONGEST);
