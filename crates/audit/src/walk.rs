@@ -35,7 +35,7 @@ use crate::suns::Suns;
 
 /// Most vertices of a walk: a longer one is caught where nothing absorbs, and tells no number. Chosen: out of
 /// a hole of a ten-thousandth of a white cavity all but 10⁻¹¹ of the walks are shorter.
-pub(crate) const LONGEST: usize = 1 << 18;
+const LONGEST: usize = 1 << 18;
 
 /// Draws that tell where a walk starts.
 const START: usize = 2;
