@@ -161,6 +161,12 @@ impl Verdict {
         judged.iter().map(|own| Terms::of(own).below).sum::<f64>().max(f64::MIN_POSITIVE)
     }
 
+    /// The L2 mean of what is true, over readings and bands; 0 of none.
+    pub(crate) fn mean(judged: &[Judged]) -> f64 {
+        let weight: f64 = judged.iter().map(|own| own.weight * own.printed.len() as f64).sum();
+        if weight == 0.0 { 0.0 } else { (Self::size(judged) / weight).sqrt() }
+    }
+
     /// The readings that are off by more than chance and a hundredth of the mean, with the root mean square over
     /// their bands of what they are off by.
     pub(crate) fn off(judged: &[Judged]) -> Vec<(usize, f64)> {
@@ -203,11 +209,20 @@ impl Verdict {
     ///
     /// By chance alone that is so once in forty right runs; of one SE it was in every sixth.
     pub fn factor(&self, own: f64) -> f64 {
+        let found = self.found_squared().filter(|_| own > 0.0);
+        found.map_or(1.0, |found| (found.sqrt() / own).max(1.0))
+    }
+
+    /// The relative error that own estimates of `own` in the L2 mean miss, √(err² + SE − own²): 0 where κ is 1, and all
+    /// that was found where they tell nothing, which no factor makes more.
+    pub(crate) fn missed(&self, own: f64) -> f64 {
+        self.found_squared().map_or(0.0, |found| (found - own * own).max(0.0).sqrt())
+    }
+
+    /// err² + SE, where err² > 2 SE.
+    fn found_squared(&self) -> Option<f64> {
         let error = self.squared_error.max(self.by_chance);
-        if self.squared <= BEYOND * error || own == 0.0 {
-            return 1.0;
-        }
-        ((self.squared + error).sqrt() / own).max(1.0)
+        (self.squared > BEYOND * error).then_some(self.squared + error)
     }
 
     /// Whether the readings differ by more than chance from what is true and by more than `told`, the relative

@@ -139,7 +139,7 @@ impl CheckedReadings {
 
     /// The error that is told of the reading of this number, of which the method's own estimate is `own`.
     fn told(&self, number: usize, own: f64) -> f64 {
-        self.checked.told(own, self.numbers.binary_search(&number).ok())
+        self.checked.told_of_light(own, self.numbers.binary_search(&number).ok())
     }
 }
 
@@ -208,6 +208,18 @@ mod tests {
             off.checked.finding().is_some_and(|finding| finding.contains("\"floor\" by 10 %")),
             "{off:?}"
         );
+    }
+
+    /// A quarter prints 0, of which own estimates tell nothing: readings at which nobody looked err by half of the
+    /// mean square of all, which is 1.
+    #[test]
+    fn a_printed_zero_errs_where_light_is() {
+        let light = |number: usize| if number.is_multiple_of(4) { 0.0 } else { 2.0 };
+        let off = checked(|number| floor(number, light(number), 1e-2 * light(number)));
+        let told = CheckedReadings::all_told(Some(&off), (0..128).map(|number| 1e-2 * light(number)));
+        let is_unseen = |number: &usize| light(*number) == 0.0 && !off.numbers.contains(number);
+        let unseen: Vec<f64> = (0..128).filter(is_unseen).map(|number| told[number]).collect();
+        assert!(unseen.len() > 8 && unseen.iter().all(|error| (0.6..0.9).contains(error)), "{unseen:?}");
     }
 
     #[test]
