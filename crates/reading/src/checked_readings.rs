@@ -137,6 +137,12 @@ impl CheckedReadings {
         own.enumerate().map(told).collect()
     }
 
+    /// The errors that are told of readings of other light of the run than was judged, as of another frame.
+    pub fn all_told_of_others(checked: Option<&Self>, own: impl Iterator<Item = f64>) -> Vec<f64> {
+        let told = |own| checked.map_or(own, |found| found.checked.told_of_light(own, None));
+        own.map(told).collect()
+    }
+
     /// The error that is told of the reading of this number, of which the method's own estimate is `own`.
     fn told(&self, number: usize, own: f64) -> f64 {
         self.checked.told_of_light(own, self.numbers.binary_search(&number).ok())
