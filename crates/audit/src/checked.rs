@@ -100,12 +100,7 @@ impl Checked {
     /// # Panics
     /// If there is not an estimate for each reading.
     pub fn of(judged: &[Judged], own: &[f64], verdict: &Verdict, of: &'static str) -> Self {
-        Self::with(judged, Self::relative(judged, own), verdict, of)
-    }
-
-    /// The errors that `verdict` makes of own estimates whose relative size in the L2 mean is `own_error`. `of` is the
-    /// plural noun of what was judged.
-    pub fn with(judged: &[Judged], own_error: f64, verdict: &Verdict, of: &'static str) -> Self {
+        let own_error = Self::relative(judged, own);
         let worst = verdict.worst.first().filter(|worst| worst.found.value != 0.0).map(|worst| Named {
             of: worst.of.clone(),
             relative: (worst.printed - worst.found.value) / worst.found.value.abs(),
