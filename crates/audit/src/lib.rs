@@ -6,7 +6,7 @@
 //! shares with what it judges is the scene itself: the text, the shapes, their fitting, and the models of
 //! luminaires, skies and glass.
 //!
-//! In order: draws (`random`, `lattice`), bands that walk together (`spectrum`), points spread over surfaces
+//! In order: an even choice ([`evenly`]), draws (`random`, `lattice`), bands that walk together (`spectrum`), points spread over surfaces
 //! (`spread`), what rays meet (`rays`), what surfaces send (`skin`, `groups`, `lamps`, `suns`, `sheets`), walks
 //! (`walk`), what is read (`spot`, `sample`), how much of it (`effort`), the [`Referee`] of light, those of heat
 //! ([`HeatReferee`]) and of view factors ([`ViewFactorReferee`]), the [`Verdict`] on printed numbers, the second
@@ -14,6 +14,7 @@
 //!
 //! Imports `geom`, `work` and `scene`.
 
+mod even_choice;
 mod random;
 mod lattice;
 mod spectrum;
@@ -37,6 +38,7 @@ mod checked;
 
 pub use checked::{Checked, Looked, Named};
 pub use effort::Effort;
+pub use even_choice::evenly;
 pub use heat::{HeatEstimate, HeatFault, HeatReferee};
 pub use referee::{Estimate, Mean, Referee};
 pub use sample::SamplePoint;

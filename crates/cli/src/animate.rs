@@ -10,11 +10,11 @@ use std::path::PathBuf;
 use std::time::Instant;
 
 use clap::{Args, ValueEnum};
-use radiosity_audit::Referee;
+use radiosity_audit::{Referee, evenly};
 use radiosity_output::drawings::picture::Picture;
 use radiosity_output::pictures::image::Image;
 use radiosity_output::pictures::tone::Tone;
-use radiosity_reading::checked_readings::{CheckedReadings, PrintedReading, evenly};
+use radiosity_reading::checked_readings::{CheckedReadings, PrintedReading};
 use radiosity_reading::own_error::OwnError;
 use radiosity_reading::pictures::printed_pixels::{PrintedPixels, settings_of_pictures};
 use radiosity_reading::pictures::raster::Raster;

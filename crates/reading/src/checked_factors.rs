@@ -1,11 +1,10 @@
 //! View factors with their errors: the method's own estimates, made true by a referee where it looks.
 
-use radiosity_audit::{Checked, Effort};
+use radiosity_audit::{Checked, Effort, evenly};
 use radiosity_scene::Scene;
 use radiosity_solve::view_factors::ViewFactors;
 use radiosity_work::Work;
 
-use crate::checked_readings::evenly;
 use crate::judged_factors::JudgedFactors;
 
 /// Errors of view factors.
@@ -36,8 +35,7 @@ impl CheckedFactors {
         effort: &Effort,
         work: &Work<'_>,
     ) -> Self {
-        let rows: Vec<usize> =
-            evenly(from.iter().copied(), from.len(), from.len().min(Self::ROWS), 0).collect();
+        let rows: Vec<usize> = evenly(from.iter().copied(), from.len(), Self::ROWS, 0).collect();
         let run = JudgedFactors::of(scene, factors, &rows, wanted, effort, work);
         if run.factors.is_empty() {
             return Self::unjudged(factors);

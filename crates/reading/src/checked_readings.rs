@@ -3,7 +3,7 @@
 //! About 64 of what a run prints, evenly chosen, are estimated by walks that know the scene alone; what is
 //! found makes the method's own estimates true ([`Checked`]).
 
-use radiosity_audit::{Checked, Effort, Estimate, Judged, Referee, Spot, Verdict};
+use radiosity_audit::{Checked, Effort, Estimate, Judged, Referee, Spot, Verdict, evenly};
 use radiosity_elements::cells::cells_of;
 use radiosity_scene::Scene;
 use radiosity_work::Work;
@@ -109,8 +109,7 @@ impl CheckedReadings {
         effort: &CheckEffort,
         work: &Work<'_>,
     ) -> Self {
-        let wanted = effort.readings.min(count);
-        let chosen = evenly(0..count, count, wanted, effort.seed);
+        let chosen = evenly(0..count, count, effort.readings, effort.seed);
         let (numbers, printed): (Vec<usize>, Vec<PrintedReading>) =
             chosen.filter_map(|number| Some((number, reading(number)?))).unzip();
         let spots: Vec<Spot> = printed.iter().map(|own| own.spot.clone()).collect();
@@ -147,28 +146,6 @@ impl CheckedReadings {
     fn told(&self, number: usize, own: f64) -> f64 {
         self.checked.told_of_light(own, self.numbers.binary_search(&number).ok())
     }
-}
-
-/// About `wanted` of `count` items, one of each part of equal length.
-pub fn evenly<T>(
-    items: impl Iterator<Item = T>,
-    count: usize,
-    wanted: usize,
-    seed: u64,
-) -> impl Iterator<Item = T> {
-    // The item of a part is another in each part and for each seed: multiples of an irrational number.
-    const SEEDS: u64 = 1 << 20;
-    let golden = 0.5 * (5f64.sqrt() - 1.0);
-    let place = move |part: usize| {
-        let within = ((seed % SEEDS + 1) as f64 * (part as f64 + 1.0) * golden).fract();
-        ((part as f64 + within) * count as f64 / wanted as f64) as usize
-    };
-    let mut next = 0;
-    items.enumerate().filter_map(move |(number, item)| {
-        let is_next = next < wanted && number >= place(next);
-        next += usize::from(is_next);
-        is_next.then_some(item)
-    })
 }
 
 #[cfg(test)]

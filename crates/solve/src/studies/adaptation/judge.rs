@@ -7,7 +7,7 @@
 //! err² + SE ≤ A²     (see radiosity_audit::Verdict) .
 //! ```
 
-use radiosity_audit::{Effort, Estimate, Judged, Mean, Referee, Spot, Verdict};
+use radiosity_audit::{Effort, Estimate, Judged, Mean, Referee, Spot, Verdict, evenly};
 use radiosity_work::Work;
 use radiosity_work::ranks::PartName;
 
@@ -42,7 +42,9 @@ impl Judge {
     pub(super) fn of(goal: &Goal, run: &Solved, work: &Work<'_>) -> Option<Self> {
         let (solution, visibility) = (&run.outcome.solution, run.visibility());
         let is_all = visibility.casts() && solution.masked().is_none() && !solution.is_truncated();
-        let sensors = Sensor::some_of(Sensor::of(goal, solution, visibility), READINGS);
+        let all = Sensor::of(goal, solution, visibility);
+        let count = all.len();
+        let sensors: Vec<Sensor> = evenly(all.into_iter(), count, READINGS, 0).collect();
         (is_all && !sensors.is_empty()).then(|| Self::at(sensors, goal.accuracy, run, work))
     }
 
