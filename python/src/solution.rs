@@ -96,8 +96,8 @@ impl Solution {
         Ok(Self { solved, method, is_saved, check, report, checked, told })
     }
 
-    /// Findings of a referee on the light at places of the surfaces and planes, as it is usually read; warns
-    /// where they are more than is told.
+    /// Findings of a referee on the light at places of the surfaces and planes, as it is usually read, or
+    /// of its polynomials where these were to be accurate; warns where they are more than is told.
     pub(crate) fn judged(
         &self,
         py: Python<'_>,
@@ -107,7 +107,7 @@ impl Solution {
             return Ok(checked.as_ref());
         }
         let Self { solved, is_saved, method, check, .. } = self;
-        let settings = ReadRequest::default().reading(method, solved, *is_saved);
+        let settings = ReadRequest::of_written(method, solved, *is_saved);
         let found = work(py, observer, |progress| {
             let work = Work::alone().observed_by(progress);
             let judge = || checked::of_solution(check, solved, *is_saved, &settings, &work);

@@ -123,7 +123,7 @@ fn factors(
         let effort = check.of_factors(&factors, &options, from.len(), scene);
         let told = match effort.filter(|_| is_judged || check.audit.is_some()) {
             Some(effort) => in_threads(options.threads, || {
-                CheckedFactors::judged(scene, &factors, &options, &from, &wanted, &effort, &Work::alone())
+                CheckedFactors::judged(scene, &factors, &from, &wanted, &effort, &Work::alone())
             })?,
             None => CheckedFactors::unjudged(&factors),
         };

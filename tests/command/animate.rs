@@ -66,6 +66,51 @@ fn lux_over_time_is_that_of_the_frames_alone() {
     assert!(!folder.join("room-0000.png").exists());
 }
 
+/// A lamp of the intensity 100 that moves by 0.9 along x, a metre above a floor.
+const FLOOR: &str = r#"
+frames = 4
+bands = ["lm"]
+materials.grey = { reflectance = 0.5 }
+[[surfaces]]
+name = "floor"
+material = "grey"
+parallelogram = { origin = [-1, -1, 0], edge1 = [2, 0, 0], edge2 = [0, 2, 0] }
+[[luminaires]]
+name = "lamp"
+position = [0, 0, 1]
+point = {}
+intensity = 100
+[[motion]]
+luminaires = "lamp"
+translate = { points = [[0, 0, 0], [0.9, 0, 0]] }
+"#;
+
+/// Constants on the floor are off by up to a half of the light, which by the inverse square is 100 / r³. Of the frame
+/// that is checked each reading tells at least what it is off by, of the others as much in the mean.
+#[test]
+fn readings_of_a_checked_frame_err_by_what_was_found() {
+    let points: String =
+        (0..12).map(|k| format!("{},{},0,0,0,1\n", -0.95 + 0.15 * f64::from(k), 0.3)).collect();
+    let folder = folder(&[("floor.toml", FLOOR.to_owned()), ("points.csv", points)]);
+    let args = ["animate", "floor.toml", "--animation", "fresh", "--order", "0", "--read", "basis"];
+    let [table, told] = done(folder.path(), &[&args[..], &["--probe", "points.csv"]].concat());
+    let before = told.split(" checked at 12 readings").next().expect("a line");
+    let judged: f64 = before.rsplit(' ').next().and_then(|word| word.parse().ok()).expect("a frame");
+    assert!(told.contains("checked at 12 readings"), "{told}");
+    let mut in_others = [0.0; 2];
+    for row in rows(&table) {
+        let (along, [light, error]) = (row[2] - 0.3 * row[0], [row[8], row[9]]);
+        let off = (light - 100.0 * (1.0 + along * along + row[3] * row[3]).powf(-1.5)).abs();
+        if row[0] == judged {
+            assert!(off < 1.0 || error > 0.999 * off, "{row:?} is off by {off}");
+        } else {
+            in_others = [in_others[0] + off * off, in_others[1] + error * error];
+        }
+    }
+    let ratio = (in_others[1] / in_others[0]).sqrt();
+    assert!((0.7..2.0).contains(&ratio), "{ratio}");
+}
+
 #[test]
 fn pictures_have_numbers_and_those_that_are_there_stay() {
     let folder = folder(&[("room.toml", ROOM), ("points.csv", POINTS)]);

@@ -162,6 +162,22 @@ fn blocks_that_are_left_out_are_found() {
     }
 }
 
+/// `audit` tells the own estimates that the check beside a run tells, of the same numbers over what is found.
+#[test]
+fn own_errors_are_those_of_the_check_beside_a_run() {
+    let folder = folder(&[("cube.toml", &format!("{CUBE}{BLOCK}"))]);
+    for (verb, of) in [("heat", "heat"), ("view-factors", "view-factors")] {
+        let args = [verb, "cube.toml", "--audit", "0.5", "--format", "json", "-o", "run.json"];
+        program::done(folder.path(), &args);
+        let own = number(&json(&folder.path().join("run.json"))["own_error"]);
+        let told = number(&judged(folder.path(), "cube.toml", of)["told"]);
+        assert!(
+            own > 0.0 && (told / own - 1.0).abs() < 0.02,
+            "{of}: {told} told by the audit, {own} beside the run"
+        );
+    }
+}
+
 /// Fewer readings than surfaces: so many are judged, others with another seed.
 #[test]
 fn some_of_the_surfaces_are_chosen() {

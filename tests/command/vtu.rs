@@ -7,7 +7,8 @@ use std::path::Path;
 
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
-use radiosity_test_support::folders::folder;
+use radiosity_test_support::data::number;
+use radiosity_test_support::folders::{folder, json};
 
 use crate::program::{done, refused};
 
@@ -195,4 +196,57 @@ fn what_is_no_polynomial_or_no_solution_is_refused() {
     refused(path, &["convert", "room.toml", "room.vtu"], &["no light yet", "solve room.toml -o room.vtu"]);
     refused(path, &["solve", "room.toml", "-o", "none/room.vtu"], &["its folder does not exist"]);
     assert!(!path.join("room.vtu").exists(), "nothing is half-written");
+}
+
+/// A floor below a lamp of the intensity 100: by the inverse square E = 100 / (1 + x² + y²)^{3/2}.
+const FLOOR: &str = r#"
+bands = ["lm"]
+materials.grey = { reflectance = 0.5 }
+[[surfaces]]
+name = "floor"
+material = "grey"
+parallelogram = { origin = [-1, -1, 0], edge1 = [2, 0, 0], edge2 = [0, 2, 0] }
+[[luminaires]]
+position = [0, 0, 1]
+point = {}
+intensity = 100
+group = "lamps"
+"#;
+
+/// The relative error in the L2 mean of the mean of the light on that floor, by the midpoint rule.
+fn error_of_the_mean() -> f64 {
+    const SIDE: usize = 400;
+    let place = |k: usize| 2.0 * (k as f64 + 0.5) / SIDE as f64 - 1.0;
+    let light = |k: usize| {
+        let [x, y] = [k % SIDE, k / SIDE].map(place);
+        (1.0 + x * x + y * y).powf(-1.5)
+    };
+    let count = SIDE * SIDE;
+    let mean = |power: i32| (0..count).map(|k| light(k).powi(power)).sum::<f64>() / count as f64;
+    (1.0 - mean(1) * mean(1) / mean(2)).sqrt()
+}
+
+/// A constant on the floor is all that is in cells of VTK, and is what is checked; of a solution that is read again
+/// light is gathered, which is exact there, unless its polynomials are to be accurate.
+#[test]
+fn a_check_is_of_what_is_written() {
+    let folder = folder(&[("floor.toml", FLOOR)]);
+    let folder = folder.path();
+    let error = |args: &[&str]| {
+        done(folder, &[args, &["--report", "r.json", "-q"]].concat());
+        number(&json(&folder.join("r.json"))["error"])
+    };
+    let solve = ["solve", "floor.toml", "--order", "0", "-o"];
+    let gathered = error(&[&solve[..], &["floor.json"]].concat());
+    assert!(gathered < 1e-4, "{gathered}");
+    let wrong = error_of_the_mean();
+    assert!(wrong > 0.3);
+    let relight = ["relight", "floor.json", "--set", "lamps=1", "-o", "relit.vtu"];
+    for written in [&[&solve[..], &["floor.vtu"]].concat()[..], &relight] {
+        let found = error(written);
+        assert!((found / wrong - 1.0).abs() < 0.15, "{written:?}: {found} found, {wrong} true");
+    }
+    let of_polynomials =
+        error(&["solve", "floor.toml", "--accuracy", "0.5", "--for", "solution", "-o", "of.json"]);
+    assert!(of_polynomials > 100.0 * gathered, "{of_polynomials}");
 }

@@ -1,6 +1,7 @@
 //! Distances of solutions, series of runs and wanted accuracies, against closed forms and exact references.
 
 use std::sync::Mutex;
+use std::time::Duration;
 
 use proptest::prelude::*;
 use radiosity::Work;
@@ -326,6 +327,14 @@ fn what_cannot_be_reached_is_told() {
     let estimate = achieved(&adapted).estimate.unwrap();
     assert!(estimate > 1e-3 && estimate < 0.1);
     assert!(adapted.outcome.solution.elements().coefficients() <= 200);
+}
+
+/// Walks show ten percent at once, so that the judge alone tells that the first run is right.
+#[test]
+fn the_time_of_a_judge_is_a_part_of_the_estimation() {
+    let adapted = adapted("furnace-cube", Goal::new(0.1, Aim::Gathered));
+    assert_eq!(achieved(&adapted).end, EndReason::Reached);
+    assert!(adapted.outcome.seconds.estimate > Duration::ZERO);
 }
 
 #[test]

@@ -10,6 +10,16 @@
 //! Own estimates that are too small are thereby made as large as what is found; what no walk can see, such as the
 //! last digits of a smooth enclosure, stays told by the method. A number at which the referee looked and which is
 //! off by more than chance errs by at least that difference.
+//!
+//! Own estimates of light are parts of it: they tell nothing of a 0 that is printed where light is, and no factor
+//! makes that more. Of what they miss, (κ² − 1) o² in the mean square, half is therefore taken to be where they
+//! tell it, and half to be everywhere:
+//!
+//! ```text
+//! e_i² = o_i² + m² (o_i² / o² + 1) / 2 ,     m² = (κ² − 1) o² ,     Σ w e_i² = κ² Σ w o_i² ;
+//! ```
+//!
+//! m² = err² + SE where they tell nothing at all.
 
 use std::fmt;
 
@@ -48,6 +58,12 @@ pub struct Checked {
     /// Words on what differs by more than chance and by more than the own estimates tell.
     #[serde(skip)]
     finding: Option<String>,
+    /// Root mean square of the own estimates, in the unit of what was judged.
+    #[serde(skip)]
+    own_rms: f64,
+    /// Root mean square m of what these miss, in that unit.
+    #[serde(skip)]
+    missed_rms: f64,
     /// Differences of the readings that are off, by their numbers.
     #[serde(skip)]
     off: Vec<(usize, f64)>,
@@ -84,12 +100,7 @@ impl Checked {
     /// # Panics
     /// If there is not an estimate for each reading.
     pub fn of(judged: &[Judged], own: &[f64], verdict: &Verdict, of: &'static str) -> Self {
-        Self::with(judged, Self::relative(judged, own), verdict, of)
-    }
-
-    /// The errors that `verdict` makes of own estimates whose relative size in the L2 mean is `own_error`. `of` is the
-    /// plural noun of what was judged.
-    pub fn with(judged: &[Judged], own_error: f64, verdict: &Verdict, of: &'static str) -> Self {
+        let own_error = Self::relative(judged, own);
         let worst = verdict.worst.first().filter(|worst| worst.found.value != 0.0).map(|worst| Named {
             of: worst.of.clone(),
             relative: (worst.printed - worst.found.value) / worst.found.value.abs(),
@@ -100,6 +111,7 @@ impl Checked {
             relative: signed.relative,
             error: signed.error,
         });
+        let unit = Verdict::mean(judged);
         Self {
             error: verdict.error(),
             error_sd: verdict.error_sd(),
@@ -110,6 +122,8 @@ impl Checked {
             of,
             is_seen: verdict.exceeds(0.0),
             finding: finding(verdict, own_error, of),
+            own_rms: own_error * unit,
+            missed_rms: verdict.missed(own_error) * unit,
             off: Verdict::off(judged),
         }
     }
@@ -129,9 +143,20 @@ impl Checked {
     /// The error that is told of a number of the `own` estimate; `reading` is its number among those that
     /// were judged, if it was.
     pub fn told(&self, own: f64, reading: Option<usize>) -> f64 {
+        (self.error_factor * own).max(self.difference(reading))
+    }
+
+    /// The error that is told of light of the `own` estimate, which is a part of it, root mean square over the bands;
+    /// `reading` is as in [`Checked::told`].
+    pub fn told_of_light(&self, own: f64, reading: Option<usize>) -> f64 {
+        let there = if self.own_rms > 0.0 { 0.5 * ((own / self.own_rms).powi(2) + 1.0) } else { 1.0 };
+        own.hypot(self.missed_rms * there.sqrt()).max(self.difference(reading))
+    }
+
+    /// The difference of a reading that was judged and is off; 0 for all others.
+    fn difference(&self, reading: Option<usize>) -> f64 {
         let is = |(number, _): &&(usize, f64)| Some(*number) == reading;
-        let found = self.off.iter().find(is).map_or(0.0, |(_, difference)| *difference);
-        (self.error_factor * own).max(found)
+        self.off.iter().find(is).map_or(0.0, |(_, difference)| *difference)
     }
 
     /// Whether more was found than the method's own estimates tell, by more than three standard errors.
@@ -212,6 +237,37 @@ mod tests {
         let right = checked(&[1.0; 64], 1e-9);
         assert_eq!((right.error_factor, right.told(1e-9, Some(3))), (1.0, 1e-9));
         assert!(right.to_string().contains("no error above 0.007") && right.finding().is_none(), "{right}");
+    }
+
+    /// A quarter of the readings print 0 where 1 is true, and own estimates are a thousandth of what is printed: what is
+    /// told of all is √¼ in the mean square, and a 0 errs by half of that square, whether or not it was judged.
+    #[test]
+    fn a_printed_zero_errs_where_more_is_found_than_told() {
+        let printed: Vec<f64> = (0..64).map(|k| if k % 4 == 0 { 0.0 } else { 1.0 }).collect();
+        let own: Vec<f64> = printed.iter().map(|printed| 1e-3 * printed).collect();
+        let judged = judged(&printed);
+        let verdict = Verdict::of(&judged, 3);
+        let checked = Checked::of(&judged, &own, &verdict, "readings");
+        let told = |own: f64| checked.told_of_light(own, None);
+        assert!((verdict.error() - 0.5).abs() < 1e-3, "{verdict:?}");
+        let square = own.iter().map(|own| told(*own).powi(2)).sum::<f64>() / 64.0;
+        assert!((square / (verdict.squared + verdict.squared_error) - 1.0).abs() < 1e-3, "{square}");
+        assert!((0.35..0.45).contains(&told(0.0)) && told(1e-3) > told(0.0), "{}", told(0.0));
+        // The zero is off by 1, which is found where it was judged.
+        assert!((checked.told_of_light(0.0, Some(4)) - 1.0).abs() < 1e-3);
+    }
+
+    /// All print 0 where 1 is true: own estimates tell nothing, and all err by 1.
+    #[test]
+    fn where_all_print_zero_all_err_by_what_was_found() {
+        let dark = checked(&[0.0; 64], 0.0);
+        assert!((dark.told_of_light(0.0, None) - 1.0).abs() < 1e-3, "{dark:?}");
+    }
+
+    #[test]
+    fn light_that_is_right_keeps_its_own_errors() {
+        let right = checked(&[1.0; 64], 1e-3);
+        assert_eq!([0.0, 1e-3, 5.0].map(|own| right.told_of_light(own, None)), [0.0, 1e-3, 5.0]);
     }
 
     #[test]

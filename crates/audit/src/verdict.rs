@@ -15,30 +15,16 @@
 //!
 //! If the readings are right, d_i² − s_i² has the variance 2 σ⁴ (1 + 1/ν), where s_i² has ν = 7 degrees of
 //! freedom and σ⁴ is found from s⁴ ν/(ν + 2). By this *chance* alone err² has the standard error SE₀, and an
-//! error of √(3 SE₀) can be seen. A mean of signed differences over the readings of a surface, a plane or a light
-//! group has by chance √(Σ s²)/m; it sees a fault of one sign two to three times smaller.
+//! error of √(3 SE₀) can be seen. Means of signed differences (`signed_mean`) see smaller
+//! faults of one sign.
 //!
-//! Sums of unequal squares are about those of h equal ones, and their s² have 7 h degrees of freedom,
-//!
-//! ```text
-//! h = (Σ s_i²)² / Σ s_i⁴ ,     Σ d_i² / Σ s_i² ~ F(h, 7 h) ,     Σ d_i / √(Σ s_i²) ~ Student's t of 7 h
-//! ```
-//!
-//! (F. Satterthwaite, Biometrics Bull. 2, 1946). What is as seldom by chance as three standard errors of a normal
-//! number, or as many more as there are things to choose from, is a finding.
-
-use std::collections::BTreeMap;
+//! By chance Σ d² / Σ s² is a ratio of F(h, 7 h), with h as `chance` has it.
 
 use serde::Serialize;
 
-use crate::effort::Effort;
+use crate::chance::{FINDING, FREEDOM, normal_of_ratio, normal_of_student, threshold};
 use crate::referee::{Estimate, Mean};
-
-/// Degrees of freedom of s².
-const FREEDOM: f64 = Effort::SHIFTS as f64 - 1.0;
-
-/// Standard errors beyond which something is a finding, of one thing that is looked at: by chance one in 700.
-const FINDING: f64 = 3.0;
+use crate::signed_mean::{SignedDifferences, SignedMean};
 
 /// Standard errors beyond which an error is taken for more than chance where it makes others larger. Chosen.
 const BEYOND: f64 = 2.0;
@@ -82,27 +68,6 @@ pub struct Verdict {
     pub signed: Vec<SignedMean>,
     /// The readings that differ most, in order of what they add to err².
     pub worst: Vec<WorstReading>,
-}
-
-/// A mean of signed differences, printed less true.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct SignedMean {
-    /// Name of the surface or the plane; `group NAME` of a light group.
-    pub of: String,
-    /// Whether it is of a light group, over all readings.
-    pub is_group: bool,
-    /// Readings that it is a mean of.
-    pub readings: usize,
-    /// The mean difference over the size of the mean of what is true.
-    pub relative: f64,
-    /// Its standard error, by chance alone.
-    pub error: f64,
-    /// Degrees of freedom of that error.
-    pub freedom: f64,
-    /// True light in the mean over the L2 mean of all readings, 1 at the most; 1 for a light group.
-    pub brightness: f64,
-    /// Whether it exceeds chance.
-    pub is_finding: bool,
 }
 
 /// A reading that differs.
@@ -161,6 +126,12 @@ impl Verdict {
         judged.iter().map(|own| Terms::of(own).below).sum::<f64>().max(f64::MIN_POSITIVE)
     }
 
+    /// The L2 mean of what is true, over readings and bands; 0 of none.
+    pub(crate) fn mean(judged: &[Judged]) -> f64 {
+        let weight: f64 = judged.iter().map(|own| own.weight * own.printed.len() as f64).sum();
+        if weight == 0.0 { 0.0 } else { (Self::size(judged) / weight).sqrt() }
+    }
+
     /// The readings that are off by more than chance and a hundredth of the mean, with the root mean square over
     /// their bands of what they are off by.
     pub(crate) fn off(judged: &[Judged]) -> Vec<(usize, f64)> {
@@ -203,11 +174,20 @@ impl Verdict {
     ///
     /// By chance alone that is so once in forty right runs; of one SE it was in every sixth.
     pub fn factor(&self, own: f64) -> f64 {
+        let found = self.found_squared().filter(|_| own > 0.0);
+        found.map_or(1.0, |found| (found.sqrt() / own).max(1.0))
+    }
+
+    /// The relative error that own estimates of `own` in the L2 mean miss, √(err² + SE − own²): 0 where κ is 1, and all
+    /// that was found where they tell nothing, which no factor makes more.
+    pub(crate) fn missed(&self, own: f64) -> f64 {
+        self.found_squared().map_or(0.0, |found| (found - own * own).max(0.0).sqrt())
+    }
+
+    /// err² + SE, where err² > 2 SE.
+    fn found_squared(&self) -> Option<f64> {
         let error = self.squared_error.max(self.by_chance);
-        if self.squared <= BEYOND * error || own == 0.0 {
-            return 1.0;
-        }
-        ((self.squared + error).sqrt() / own).max(1.0)
+        (self.squared > BEYOND * error).then_some(self.squared + error)
     }
 
     /// Whether the readings differ by more than chance from what is true and by more than `told`, the relative
@@ -289,25 +269,6 @@ impl Judged {
     }
 }
 
-impl SignedMean {
-    /// The mean over its standard error, with its sign.
-    pub fn in_errors(&self) -> f64 {
-        self.relative / self.error
-    }
-
-    /// Whether it is a finding that exceeds `told` by more than chance. An error that is told is one of the L2
-    /// mean: of what is darker than this, the difference counts as a part of that.
-    pub fn finds(&self, told: f64) -> bool {
-        let above = (self.relative.abs() - told / self.brightness) / self.error;
-        self.is_finding && normal_of_student(above, self.freedom) > FINDING
-    }
-
-    /// The mean over its standard error, as of a normal number that is as seldom.
-    fn score(&self) -> f64 {
-        normal_of_student(self.in_errors().abs(), self.freedom)
-    }
-}
-
 /// Parts of a reading in sums over readings, all bands together.
 struct Terms {
     above: f64,
@@ -338,113 +299,17 @@ fn sum(terms: &[Terms], value: impl Fn(&Terms) -> f64) -> f64 {
     terms.iter().map(value).sum()
 }
 
-/// Means of signed differences by class and by light group, those that exceed chance most first; `squares` is
-/// the sum of the squares of what is true.
+/// Means of signed differences by class and by light group; `squares` is the sum of the squares of what is true.
 fn signed_means(judged: &[Judged], groups: &[Option<String>], squares: f64) -> Vec<SignedMean> {
     let numbers: usize = judged.iter().map(|own| own.printed.len()).sum();
-    let mean = (squares.max(0.0) / numbers as f64).sqrt();
-    let mut classes: BTreeMap<Class<'_>, Differences> = BTreeMap::new();
+    let mut all = SignedDifferences::default();
     for own in judged {
-        classes.entry(Class::Named(&own.class)).or_default().add(&own.printed, &own.estimate.bands);
+        all.add(&own.class, &own.printed, &own.estimate.bands);
         for ((group, printed), means) in groups.iter().zip(&own.printed_groups).zip(&own.estimate.groups) {
-            classes.entry(Class::Group(group.as_deref())).or_default().add(printed, means);
+            all.add_of_group(group.as_deref(), printed, means);
         }
     }
-    let mut all: Vec<SignedMean> =
-        classes.into_iter().filter_map(|(class, sums)| sums.mean(&class, mean)).collect();
-    let chosen_from = all.len();
-    let threshold = threshold(chosen_from);
-    all.iter_mut().for_each(|own| own.is_finding = own.score() > threshold);
-    all.sort_by(|a, b| b.score().total_cmp(&a.score()).then_with(|| a.of.cmp(&b.of)));
-    all
-}
-
-/// Subject of a signed mean.
-#[derive(PartialEq, Eq, PartialOrd, Ord)]
-enum Class<'a> {
-    /// A surface or a plane.
-    Named(&'a str),
-    /// A light group, or the light of no group.
-    Group(Option<&'a str>),
-}
-
-impl Class<'_> {
-    fn name(&self) -> String {
-        match self {
-            Self::Named(name) => (*name).to_owned(),
-            Self::Group(name) => format!("group {}", name.unwrap_or("(none)")),
-        }
-    }
-}
-
-/// Sums over the readings of a class.
-#[derive(Default)]
-struct Differences {
-    readings: usize,
-    /// Readings times bands.
-    numbers: usize,
-    difference: f64,
-    variance: f64,
-    /// Sum of squares of the readings' variances.
-    fourth: f64,
-    found: f64,
-}
-
-impl Differences {
-    /// Adds a reading, all bands of it.
-    fn add(&mut self, printed: &[f64], means: &[Mean]) {
-        // Bands of one walk err together: their standard errors add up, not the squares of them.
-        let error: f64 = means.iter().map(|mean| mean.error).sum();
-        self.difference += printed.iter().zip(means).map(|(printed, mean)| printed - mean.value).sum::<f64>();
-        self.found += means.iter().map(|mean| mean.value).sum::<f64>();
-        self.variance += error * error;
-        self.fourth += error.powi(4);
-        self.readings += 1;
-        self.numbers += means.len();
-    }
-
-    /// The mean of a class; `all` is the L2 mean of all readings.
-    fn mean(self, class: &Class<'_>, all: f64) -> Option<SignedMean> {
-        let found = self.found.abs();
-        let is_told = found > 0.0 && self.variance > 0.0;
-        let is_group = matches!(class, Class::Group(_));
-        let brightness = if is_group { 1.0 } else { (found / (self.numbers as f64 * all)).min(1.0) };
-        is_told.then(|| SignedMean {
-            of: class.name(),
-            is_group,
-            readings: self.readings,
-            relative: self.difference / found,
-            error: self.variance.sqrt() / found,
-            freedom: FREEDOM * self.variance * self.variance / self.fourth,
-            brightness,
-            is_finding: false,
-        })
-    }
-}
-
-/// The normal number that is exceeded as seldom as t of Student's distribution of ν degrees of freedom (D. Wallace,
-/// Ann. Math. Stat. 30, 1959).
-fn normal_of_student(t: f64, freedom: f64) -> f64 {
-    let size = (freedom * (t * t / freedom).ln_1p()).sqrt();
-    (8.0 * freedom + 1.0) / (8.0 * freedom + 3.0) * size.copysign(t)
-}
-
-/// The normal number that is exceeded as seldom as a ratio of F(ν₁, ν₂) (E. Paulson, Ann. Math. Stat. 13, 1942).
-fn normal_of_ratio(ratio: f64, above: f64, below: f64) -> f64 {
-    let [above, below] = [above, below].map(|freedom| 2.0 / (9.0 * freedom));
-    let root = ratio.max(0.0).cbrt();
-    ((1.0 - below) * root - (1.0 - above)) / (below * root * root + above).sqrt()
-}
-
-/// Standard errors that the largest of `count` means exceeds as seldom by chance as one exceeds three.
-fn threshold(count: usize) -> f64 {
-    // P(|z| > x) ≈ √(2/π) e^(−x²/2) / x; solved for P = 0.0027 / count by iteration.
-    let wanted = 0.0027 / count.max(1) as f64;
-    let mut x = FINDING;
-    for _ in 0..50 {
-        x = (2.0 * ((2.0 / std::f64::consts::PI).sqrt() / (x * wanted)).ln()).max(1.0).sqrt();
-    }
-    x.max(FINDING)
+    all.means((squares.max(0.0) / numbers as f64).sqrt())
 }
 
 /// Standard error of all readings together, their root mean square: where a few of many walks bring most of the

@@ -62,10 +62,7 @@ impl WalkCost {
         let deeper = 1.0 + DEEPER * (surfaces.max(BOX) / BOX).log2();
         let bent = 1.0 + curved as f64 / surfaces;
         let longer = (ABSORBED / absorbed.max(f64::MIN_POSITIVE)).max(1.0);
-        Self {
-            seconds: deeper * bent * longer / WALKS_A_SECOND,
-            is_endless: absorbed < LEAST,
-        }
+        Self { seconds: deeper * bent * longer / WALKS_A_SECOND, is_endless: absorbed < LEAST }
     }
 
     /// Walks of so many seconds.

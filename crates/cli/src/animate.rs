@@ -10,11 +10,11 @@ use std::path::PathBuf;
 use std::time::Instant;
 
 use clap::{Args, ValueEnum};
-use radiosity_audit::{Checked, Referee};
+use radiosity_audit::{Referee, evenly};
 use radiosity_output::drawings::picture::Picture;
 use radiosity_output::pictures::image::Image;
 use radiosity_output::pictures::tone::Tone;
-use radiosity_reading::checked_readings::{CheckedReadings, PrintedReading, evenly};
+use radiosity_reading::checked_readings::{CheckedReadings, PrintedReading};
 use radiosity_reading::own_error::OwnError;
 use radiosity_reading::pictures::printed_pixels::{PrintedPixels, settings_of_pictures};
 use radiosity_reading::pictures::raster::Raster;
@@ -215,8 +215,8 @@ struct Shutter<'a> {
     asked: &'a Options,
     /// Number of the frame that is checked.
     judged: usize,
-    /// The findings of that.
-    checked: Option<Checked>,
+    /// The findings of that: in its readings, or, where it has none, in its picture.
+    found: Option<CheckedReadings>,
     readings: Option<Readings>,
     film: Option<FrameFiles>,
     /// Exposure of all pictures, 1 over the radiosity that is white; that of the first picture unless told.
@@ -250,13 +250,13 @@ impl Shutter<'_> {
         }
         if let Some(readings) = self.readings.as_ref().filter(|_| number == self.judged) {
             let printed = |point: usize| readings.printed(point, frame);
-            self.checked = self.check(frame, readings.count(), printed, ranks);
+            self.found = self.check(frame, readings.count(), printed, ranks);
         }
         let Some(mut film) = self.film.take() else { return Ok(()) };
         if is_first || !is_there {
             let raster = self.take(frame, ranks)?;
-            if number == self.judged && self.checked.is_none() {
-                self.checked = self.check_picture(frame, &raster, ranks)?;
+            if number == self.judged && self.readings.is_none() {
+                self.found = self.check_picture(frame, &raster, ranks)?;
             }
             let mut develop = || self.developed(&raster, frame);
             match is_there {
@@ -276,12 +276,12 @@ impl Shutter<'_> {
         count: usize,
         printed: impl Fn(usize) -> Option<PrintedReading>,
         ranks: &Ranks,
-    ) -> Option<Checked> {
+    ) -> Option<CheckedReadings> {
         // Frames keep no counts of their work: it is the least effort, unless told otherwise.
         let effort = self.args.check.of_light(0.0, count, &frame.scene, self.asked)?;
         let referee = Referee::of_light(&frame.scene);
-        let checked = CheckedReadings::of(&referee, count, printed, &effort, &Work::among(ranks));
-        (!checked.judged.is_empty()).then_some(checked.checked)
+        let found = CheckedReadings::of(&referee, count, printed, &effort, &Work::among(ranks));
+        (!found.judged.is_empty()).then_some(found)
     }
 
     /// The check of a picture of a frame.
@@ -290,7 +290,7 @@ impl Shutter<'_> {
         frame: &Frame,
         raster: &Raster,
         ranks: &Ranks,
-    ) -> Result<Option<Checked>, CliError> {
+    ) -> Result<Option<CheckedReadings>, CliError> {
         let camera = camera(self.args.size, &frame.scene)?;
         let settings = settings_of_pictures(self.read.unwrap_or(ReadMode::Gather));
         let own = OwnError::of_frame(frame, self.asked, &settings);
@@ -336,7 +336,7 @@ pub(crate) fn run(args: &AnimateArgs, loaded: Loaded, ranks: &Ranks) -> Result<(
     let readings = points.map(|points| Readings::new(points, args.read.plain(&args.method)));
     let judged = evenly(range.numbers(), range.count(), 1, 0).next().unwrap_or_default();
     let (exposure, read) = (args.exposure, args.read.read);
-    let mut shutter = Shutter { args, asked: &asked, judged, checked: None, readings, film, exposure, read };
+    let mut shutter = Shutter { args, asked: &asked, judged, found: None, readings, film, exposure, read };
     let mut made = 0;
     for (done, number) in range.numbers().enumerate() {
         progress.say_whole(standing(done, range.count(), made, begun));
@@ -348,11 +348,11 @@ pub(crate) fn run(args: &AnimateArgs, loaded: Loaded, ranks: &Ranks) -> Result<(
         made += 1;
         asked.in_threads(ranks, || shutter.record(number, &frame, is_first, is_there, ranks))??;
     }
-    let Shutter { film, readings, checked, .. } = shutter;
+    let Shutter { film, readings, found, .. } = shutter;
     film.map_or(Ok(()), FrameFiles::finish)?;
     let read_error = readings.as_ref().and_then(Readings::error);
-    let factor = checked.as_ref().map_or(1.0, |checked| checked.error_factor);
-    readings.map_or(Ok(()), |readings| readings.write(&scene.bands, factor, ranks))?;
+    readings.map_or(Ok(()), |readings| readings.write(&scene.bands, judged, found.as_ref(), ranks))?;
+    let checked = found.map(|found| found.checked);
     drop(progress);
     if !args.quiet {
         let mut lines = summary::lines(&follower, made, begun.elapsed().as_secs_f64());

@@ -5,7 +5,7 @@ mod picture;
 use std::path::{Path, PathBuf};
 
 use clap::{Args, Command, ValueEnum};
-use radiosity_audit::{Referee, WalkCost};
+use radiosity_audit::{Checked, Referee, WalkCost};
 use radiosity_heat::Heat;
 use radiosity_heat::judging::JudgedHeat;
 use radiosity_output::documents::audit as output;
@@ -213,7 +213,7 @@ impl AuditArgs {
         let files = self.output.iter().chain(&self.marks.picture).map(|path| path.display().to_string());
         let written = files.collect::<Vec<_>>().join(" and ");
         run.finish((!written.is_empty()).then_some(written.as_str()))?;
-        self.judge("the light is", judged.checked.own_error, judged.checked.finds_more())
+        self.judge("the light is", &judged.checked)
     }
 
     /// Computes the balance of heat and judges it.
@@ -233,7 +233,7 @@ impl AuditArgs {
         progress.clear();
         outlet.write(&output::heat::judgement(&judged), self, ranks)?;
         self.tell_written(ranks);
-        self.judge("the heat is", judged.told, judged.verdict.finds(judged.told))
+        self.judge("the heat is", &judged.checked)
     }
 
     /// Computes view factors and judges them.
@@ -247,7 +247,7 @@ impl AuditArgs {
         let factors = ViewFactors::new(&scene, &options, &work)?;
         let rows = self.audit.chosen(&(0..scene.surfaces.len()).collect::<Vec<_>>());
         let effort = self.audit.effort(rows.len(), &WalkCost::of_view_factors(&scene));
-        let judge = || JudgedFactors::of(&scene, &factors, &options, &rows, &|_, _| true, &effort, &work);
+        let judge = || JudgedFactors::of(&scene, &factors, &rows, &|_, _| true, &effort, &work);
         let judged = in_threads(ranks.threads(options.threads), judge)?;
         progress.clear();
         if judged.factors.is_empty() {
@@ -258,7 +258,7 @@ impl AuditArgs {
         }
         outlet.write(&output::view_factors::judgement(&judged), self, ranks)?;
         self.tell_written(ranks);
-        self.judge("the view factors are", judged.told, judged.verdict.finds(judged.told))
+        self.judge("the view factors are", &judged.checked)
     }
 
     /// Tells which file was written, where one was.
@@ -295,9 +295,9 @@ impl AuditArgs {
     }
 
     /// Fails where a strict run finds more than is told.
-    fn judge(&self, what: &'static str, told: f64, finds_more: bool) -> Result<(), CliError> {
-        match self.scene.strict && finds_more {
-            true => Err(CliError::FoundMore { what, told }),
+    fn judge(&self, what: &'static str, checked: &Checked) -> Result<(), CliError> {
+        match self.scene.strict && checked.finds_more() {
+            true => Err(CliError::FoundMore { what, told: checked.own_error }),
             false => Ok(()),
         }
     }

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use radiosity_request::{CheckRequest, MethodRequest, ReadRequest};
+use radiosity_request::{CheckRequest, MethodRequest};
 use radiosity_work::ranks::Ranks;
 
 use crate::{
@@ -54,8 +54,9 @@ pub(crate) fn run(args: &RelightArgs, ranks: &Ranks) -> Result<(), CliError> {
     let path = args.output.clone().unwrap_or_else(|| format!("{}.relit.json", loaded.scene().name).into());
     let output = loaded.reserve(&path, &args.report, ranks)?;
     let mut run = Run::read(loaded, args.check, &args.report, ranks)?;
-    let written = SolutionFormat::of(&path).write(&run.solved, &path, &output)?;
-    let reading = ReadRequest::default().reading(&MethodRequest::default(), &run.solved, true);
+    let format = SolutionFormat::of(&path);
+    let written = format.write(&run.solved, &path, &output)?;
+    let reading = format.reading(&MethodRequest::default(), &run.solved, run.is_saved());
     run.check_solution(&reading)?;
     run.finish(Some(&written))
 }

@@ -4,6 +4,8 @@ use std::path::Path;
 
 use radiosity_reading::files::solution_file::SolutionFile;
 use radiosity_reading::files::vtu::{Grid, VtuError};
+use radiosity_reading::quality::ReadSettings;
+use radiosity_request::{MethodRequest, ReadRequest};
 use radiosity_solve::Options;
 use radiosity_solve::solved::Solved;
 
@@ -31,6 +33,13 @@ impl SolutionFormat {
             Self::Vtu if options.masks.is_some() => Err(no_grid(path, &VtuError::Masked)),
             _ => Ok(()),
         }
+    }
+
+    /// The reading by which a solution that was written is checked, as those read it who get the file: cells of
+    /// VTK are its polynomials.
+    pub(crate) fn reading(self, method: &MethodRequest, solved: &Solved, is_saved: bool) -> ReadSettings {
+        let reading = if self == Self::Vtu { ReadRequest::of_polynomials } else { ReadRequest::of_written };
+        reading(method, solved, is_saved)
     }
 
     /// Writes `solved` to the file at `path`; returns the words of the summary.

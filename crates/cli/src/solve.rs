@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use radiosity_request::{KEPT, ReadRequest, require_all_light};
+use radiosity_request::{KEPT, require_all_light};
 use radiosity_solve::{Outcome, Sampling};
 use radiosity_work::ranks::Ranks;
 use radiosity_work::wording::{option, words};
@@ -53,7 +53,7 @@ pub(crate) fn run(args: &SolveArgs, loaded: Loaded, ranks: &Ranks) -> Result<(),
     let mut run = solve(loaded, &args.run, ranks)?;
     let Outcome { converged, residual, sampling, .. } = run.solved.outcome;
     let written = format.write(&run.solved, &path, &output)?;
-    let reading = ReadRequest::default().reading(&args.run.method, &run.solved, run.is_saved());
+    let reading = format.reading(&args.run.method, &run.solved, run.is_saved());
     run.check_solution(&reading)?;
     run.finish(Some(&written))?;
     match sampling {

@@ -234,7 +234,7 @@ impl ViewFactorsArgs {
         let Some(effort) = check.of_factors(factors, &options, from.len(), scene) else {
             return Ok(CheckedFactors::unjudged(factors));
         };
-        let judged = || CheckedFactors::judged(scene, factors, &options, &from, &wanted, &effort, work);
+        let judged = || CheckedFactors::judged(scene, factors, &from, &wanted, &effort, work);
         Ok(in_threads(work.ranks.threads(options.threads), judged)?)
     }
 

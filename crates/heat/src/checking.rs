@@ -1,9 +1,9 @@
 //! The errors of a balance, made true by what a referee finds.
 //!
 //! Every error becomes κ times what it was, and that of a surface that is off by more than chance at least the
-//! difference that was found ([`Checked`]), d of a flow, d/(4 σ T³ A) of a temperature.
+//! difference that was found ([`Checked`](radiosity_audit::Checked)), d of a flow, d/(4 σ T³ A) of a temperature.
 
-use radiosity_audit::{Checked, Effort, HeatFault, Judged};
+use radiosity_audit::{Effort, HeatFault, evenly};
 use radiosity_scene::Scene;
 use radiosity_work::Work;
 
@@ -14,8 +14,8 @@ impl Heat {
     /// Surfaces for a referee to look at, at most `most`: evenly those that can be judged.
     pub fn to_check(&self, scene: &Scene, most: usize) -> Vec<usize> {
         let all = self.judgeable(scene);
-        let count = all.len().min(most);
-        (0..count).map(|k| all[k * all.len() / count]).collect()
+        let count = all.len();
+        evenly(all.into_iter(), count, most, 0).collect()
     }
 
     /// Makes the errors of a balance of `scene` true by what a referee finds at these surfaces.
@@ -33,9 +33,7 @@ impl Heat {
         if run.surfaces.is_empty() {
             return Ok(());
         }
-        let judged: Vec<Judged> = run.surfaces.iter().map(|own| own.judged.clone()).collect();
-        let own: Vec<f64> = run.surfaces.iter().map(|own| own.told_watts).collect();
-        let checked = Checked::of(&judged, &own, &run.verdict, "surfaces");
+        let checked = run.checked;
         for own in &mut self.surfaces {
             own.flow_error = checked.told(own.flow_error, None);
             own.temperature_error = checked.told(own.temperature_error, None);

@@ -5,11 +5,8 @@
 //! ```text
 //! T known:   Q = q A ;        flux known, or that of a sheet:   σ T⁴ A .
 //! ```
-//!
-//! The relative error that the balance tells is, like the one that is found, one of the L2 mean:
-//! √(Σ told² / Σ printed²).
 
-use radiosity_audit::{Effort, HeatEstimate, HeatFault, HeatReferee, Judged, Mean, Verdict};
+use radiosity_audit::{Checked, Effort, HeatEstimate, HeatFault, HeatReferee, Judged, Mean, Verdict};
 use radiosity_scene::Scene;
 use radiosity_work::Work;
 
@@ -30,10 +27,10 @@ pub struct JudgedHeat {
     pub unread: usize,
     /// Walks for each of them.
     pub walks: u64,
-    /// Relative error that the balance tells.
-    pub told: f64,
     /// Verdict of the referee on them.
     pub verdict: Verdict,
+    /// Errors that follow from it and from those that the balance tells.
+    pub checked: Checked,
 }
 
 /// A judged surface.
@@ -50,7 +47,7 @@ pub struct JudgedSurface {
     /// Both as flow or level times area (W); the class is its name.
     pub judged: Judged,
     /// The told error (W).
-    pub(super) told_watts: f64,
+    told_watts: f64,
     /// Its index in the scene.
     pub(super) surface: usize,
 }
@@ -87,13 +84,11 @@ impl JudgedHeat {
         let all = estimates.iter().map(|found| JudgedSurface::of(&heat.surfaces[found.surface], found));
         let all: Vec<JudgedSurface> = all.filter(|own| own.judged.found().is_finite()).collect();
         let judged: Vec<Judged> = all.iter().map(|own| own.judged.clone()).collect();
-        Ok(Self {
-            unread: surfaces.len() - all.len(),
-            walks: effort.walks(),
-            told: told(&all),
-            verdict: Verdict::of(&judged, Verdict::WORST),
-            surfaces: all,
-        })
+        let own: Vec<f64> = all.iter().map(|own| own.told_watts).collect();
+        let verdict = Verdict::of(&judged, Verdict::WORST);
+        let checked = Checked::of(&judged, &own, &verdict, "surfaces");
+        let unread = surfaces.len() - all.len();
+        Ok(Self { surfaces: all, unread, walks: effort.walks(), verdict, checked })
     }
 }
 
@@ -128,11 +123,4 @@ impl JudgedSurface {
             }
         }
     }
-}
-
-/// The relative error in the L2 mean that the printed numbers are told to have.
-fn told(all: &[JudgedSurface]) -> f64 {
-    let squares: f64 = all.iter().map(|own| own.told_watts.powi(2)).sum();
-    let printed: f64 = all.iter().map(|own| own.judged.printed[0].powi(2)).sum();
-    (squares / printed.max(f64::MIN_POSITIVE)).sqrt()
 }

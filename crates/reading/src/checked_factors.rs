@@ -1,11 +1,10 @@
 //! View factors with their errors: the method's own estimates, made true by a referee where it looks.
 
-use radiosity_audit::{Checked, Effort};
+use radiosity_audit::{Checked, Effort, evenly};
 use radiosity_scene::Scene;
-use radiosity_solve::view_factors::{Options, ViewFactors};
+use radiosity_solve::view_factors::ViewFactors;
 use radiosity_work::Work;
 
-use crate::checked_readings::evenly;
 use crate::judged_factors::JudgedFactors;
 
 /// Errors of view factors.
@@ -26,24 +25,22 @@ impl CheckedFactors {
         Self { errors: factors.errors.clone(), checked: None }
     }
 
-    /// The errors of factors that were computed with `options`, of which the pairs that are `wanted` are judged by
-    /// so much effort, those of some of the surfaces `from`.
+    /// The errors of factors of which the pairs that are `wanted` are judged by so much effort, those of some of the
+    /// surfaces `from`.
     pub fn judged(
         scene: &Scene,
         factors: &ViewFactors,
-        options: &Options,
         from: &[usize],
         wanted: &dyn Fn(usize, usize) -> bool,
         effort: &Effort,
         work: &Work<'_>,
     ) -> Self {
-        let rows: Vec<usize> =
-            evenly(from.iter().copied(), from.len(), from.len().min(Self::ROWS), 0).collect();
-        let run = JudgedFactors::of(scene, factors, options, &rows, wanted, effort, work);
+        let rows: Vec<usize> = evenly(from.iter().copied(), from.len(), Self::ROWS, 0).collect();
+        let run = JudgedFactors::of(scene, factors, &rows, wanted, effort, work);
         if run.factors.is_empty() {
             return Self::unjudged(factors);
         }
-        let checked = run.checked(&factors.errors);
+        let checked = run.checked;
         let mut errors: Vec<f64> = factors.errors.iter().map(|own| checked.told(*own, None)).collect();
         for (reading, factor) in run.factors.iter().enumerate() {
             let told = checked.told(factors.errors[factor.from], Some(reading));

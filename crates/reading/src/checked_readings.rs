@@ -3,7 +3,7 @@
 //! About 64 of what a run prints, evenly chosen, are estimated by walks that know the scene alone; what is
 //! found makes the method's own estimates true ([`Checked`]).
 
-use radiosity_audit::{Checked, Effort, Estimate, Judged, Referee, Spot, Verdict};
+use radiosity_audit::{Checked, Effort, Estimate, Judged, Referee, Spot, Verdict, evenly};
 use radiosity_elements::cells::cells_of;
 use radiosity_geom::{Rect, Surface};
 use radiosity_scene::Scene;
@@ -123,8 +123,7 @@ impl CheckedReadings {
         effort: &CheckEffort,
         work: &Work<'_>,
     ) -> Self {
-        let wanted = effort.readings.min(count);
-        let chosen = evenly(0..count, count, wanted, effort.seed);
+        let chosen = evenly(0..count, count, effort.readings, effort.seed);
         let (numbers, printed): (Vec<usize>, Vec<PrintedReading>) =
             chosen.filter_map(|number| Some((number, reading(number)?))).unzip();
         let spots: Vec<Spot> = printed.iter().map(|own| own.spot.clone()).collect();
@@ -151,32 +150,16 @@ impl CheckedReadings {
         own.enumerate().map(told).collect()
     }
 
+    /// The errors that are told of readings of other light of the run than was judged, as of another frame.
+    pub fn all_told_of_others(checked: Option<&Self>, own: impl Iterator<Item = f64>) -> Vec<f64> {
+        let told = |own| checked.map_or(own, |found| found.checked.told_of_light(own, None));
+        own.map(told).collect()
+    }
+
     /// The error that is told of the reading of this number, of which the method's own estimate is `own`.
     fn told(&self, number: usize, own: f64) -> f64 {
-        self.checked.told(own, self.numbers.binary_search(&number).ok())
+        self.checked.told_of_light(own, self.numbers.binary_search(&number).ok())
     }
-}
-
-/// About `wanted` of `count` items, one of each part of equal length.
-pub fn evenly<T>(
-    items: impl Iterator<Item = T>,
-    count: usize,
-    wanted: usize,
-    seed: u64,
-) -> impl Iterator<Item = T> {
-    // The item of a part is another in each part and for each seed: multiples of an irrational number.
-    const SEEDS: u64 = 1 << 20;
-    let golden = 0.5 * (5f64.sqrt() - 1.0);
-    let place = move |part: usize| {
-        let within = ((seed % SEEDS + 1) as f64 * (part as f64 + 1.0) * golden).fract();
-        ((part as f64 + within) * count as f64 / wanted as f64) as usize
-    };
-    let mut next = 0;
-    items.enumerate().filter_map(move |(number, item)| {
-        let is_next = next < wanted && number >= place(next);
-        next += usize::from(is_next);
-        is_next.then_some(item)
-    })
 }
 
 #[cfg(test)]
@@ -225,6 +208,18 @@ mod tests {
             off.checked.finding().is_some_and(|finding| finding.contains("\"floor\" by 10 %")),
             "{off:?}"
         );
+    }
+
+    /// A quarter prints 0, of which own estimates tell nothing: readings at which nobody looked err by half of the
+    /// mean square of all, which is 1.
+    #[test]
+    fn a_printed_zero_errs_where_light_is() {
+        let light = |number: usize| if number.is_multiple_of(4) { 0.0 } else { 2.0 };
+        let off = checked(|number| floor(number, light(number), 1e-2 * light(number)));
+        let told = CheckedReadings::all_told(Some(&off), (0..128).map(|number| 1e-2 * light(number)));
+        let is_unseen = |number: &usize| light(*number) == 0.0 && !off.numbers.contains(number);
+        let unseen: Vec<f64> = (0..128).filter(is_unseen).map(|number| told[number]).collect();
+        assert!(unseen.len() > 8 && unseen.iter().all(|error| (0.6..0.9).contains(error)), "{unseen:?}");
     }
 
     #[test]

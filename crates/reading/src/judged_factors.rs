@@ -6,7 +6,7 @@
 
 use radiosity_audit::{Checked, Effort, Judged, Verdict, ViewFactorReferee, ViewFactorRow};
 use radiosity_scene::Scene;
-use radiosity_solve::view_factors::{Options, ViewFactors};
+use radiosity_solve::view_factors::ViewFactors;
 use radiosity_work::Work;
 
 /// The least factor that is judged. Chosen: below, thousands of rays meet the other surface a few times.
@@ -19,10 +19,10 @@ pub struct JudgedFactors {
     pub factors: Vec<JudgedFactor>,
     /// Rays of each row.
     pub rays: u64,
-    /// Relative error that the factors are told to have.
-    pub told: f64,
     /// Verdict of the referee on them.
     pub verdict: Verdict,
+    /// Errors that follow from it.
+    pub checked: Checked,
 }
 
 /// A judged factor, of the class of the surface that it is from.
@@ -37,12 +37,10 @@ pub struct JudgedFactor {
 }
 
 impl JudgedFactors {
-    /// Judges the pairs that are `wanted` in the rows of these surfaces, by their indices, of factors that were
-    /// computed with `options`.
+    /// Judges the pairs that are `wanted` in the rows of these surfaces, by their indices.
     pub fn of(
         scene: &Scene,
         factors: &ViewFactors,
-        options: &Options,
         rows: &[usize],
         wanted: &dyn Fn(usize, usize) -> bool,
         effort: &Effort,
@@ -54,20 +52,10 @@ impl JudgedFactors {
         let all: Vec<JudgedFactor> =
             found.iter().filter(is_open).flat_map(|row| judged_row(factors, wanted, row)).collect();
         let judged: Vec<Judged> = all.iter().map(|own| own.judged.clone()).collect();
-        let accuracy = &options.accuracy;
-        Self {
-            factors: all,
-            rays: effort.walks(),
-            told: accuracy.eps.max(accuracy.shadow_eps).max(factors.accuracy_reached),
-            verdict: Verdict::of(&judged, Verdict::WORST),
-        }
-    }
-
-    /// The method's own estimates of the errors in each row, made true by the verdict.
-    pub(crate) fn checked(&self, errors: &[f64]) -> Checked {
-        let judged: Vec<Judged> = self.factors.iter().map(|own| own.judged.clone()).collect();
-        let own: Vec<f64> = self.factors.iter().map(|own| errors[own.from]).collect();
-        Checked::of(&judged, &own, &self.verdict, "view factors")
+        let own: Vec<f64> = all.iter().map(|own| factors.errors[own.from]).collect();
+        let verdict = Verdict::of(&judged, Verdict::WORST);
+        let checked = Checked::of(&judged, &own, &verdict, "view factors");
+        Self { factors: all, rays: effort.walks(), verdict, checked }
     }
 }
 

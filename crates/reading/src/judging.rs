@@ -4,14 +4,14 @@
 //! as [`probe`](crate::probe::probe) reads it, and light group by light group where the solution keeps these
 //! apart; the [`Referee`] knows nothing of the solution.
 
-use radiosity_audit::{Checked, Judged, Referee, Spot, Verdict};
+use radiosity_audit::{Checked, Judged, Referee, Spot, Verdict, evenly};
 use radiosity_scene::Scene;
 use radiosity_solve::solution::Solution;
 use radiosity_solve::solution::group_light::GroupLight;
 use radiosity_solve::solved::Solved;
 use radiosity_work::Work;
 
-use crate::checked_readings::{CheckEffort, CheckedReadings, PrintedReading, evenly};
+use crate::checked_readings::{CheckEffort, CheckedReadings, PrintedReading};
 use crate::own_error::OwnError;
 use crate::probe::{Probe, ProbeReading, probe_each};
 use crate::quality::ReadSettings;

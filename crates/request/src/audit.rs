@@ -1,9 +1,9 @@
 //! Requests for a referee: how long it looks, and at how many readings.
 
-use radiosity_audit::{Effort, HeatFault, WalkCost};
+use radiosity_audit::{Effort, HeatFault, WalkCost, evenly};
 use radiosity_heat::Heat;
 use radiosity_reading::checked_factors::CheckedFactors;
-use radiosity_reading::checked_readings::{CheckEffort, evenly};
+use radiosity_reading::checked_readings::CheckEffort;
 use radiosity_scene::Scene;
 use radiosity_solve::Options;
 use radiosity_solve::solved::Solved;
@@ -166,8 +166,7 @@ impl AuditRequest {
 
     /// As many of these surfaces as are judged: one of each part of equal length.
     pub fn chosen(&self, surfaces: &[usize]) -> Vec<usize> {
-        let count = surfaces.len();
-        evenly(surfaces.iter().copied(), count, self.readings().min(count), self.seed()).collect()
+        evenly(surfaces.iter().copied(), surfaces.len(), self.readings(), self.seed()).collect()
     }
 
     fn readings(&self) -> usize {

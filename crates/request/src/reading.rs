@@ -6,6 +6,7 @@ use radiosity_reading::reader::ReadMode;
 use radiosity_solve::Options;
 use radiosity_solve::gather::gather_method::GatherMethod;
 use radiosity_solve::solved::Solved;
+use radiosity_solve::studies::adaptation::{Achieved, Aim};
 use radiosity_visibility::Shadows;
 use radiosity_work::wording::{Wording, option, set, value, words};
 use serde::Deserialize;
@@ -138,6 +139,20 @@ impl ReadRequest {
         let saved = if is_saved && achieved.is_none() { saved_accuracy(solved) } else { None };
         let asked = [method.eps.map(f64::from), wanted, saved].into_iter().flatten();
         self.asked(method, usual, asked.fold(of_solution, f64::min))
+    }
+
+    /// The reading by which a solution that is written is checked: that of the verbs that read it, and of its
+    /// polynomials where these were to be accurate.
+    pub fn of_written(method: &MethodRequest, solved: &Solved, is_saved: bool) -> ReadSettings {
+        match solved.achieved {
+            Some(Achieved { of: Aim::Solution, .. }) => Self::of_polynomials(method, solved, is_saved),
+            _ => Self::default().reading(method, solved, is_saved),
+        }
+    }
+
+    /// The reading by which a solution is checked of which the polynomials alone are written.
+    pub fn of_polynomials(method: &MethodRequest, solved: &Solved, is_saved: bool) -> ReadSettings {
+        Self { read: Some(ReadMode::Basis), ..Self::default() }.reading(method, solved, is_saved)
     }
 }
 

@@ -23,15 +23,7 @@ fn judged(built: f64) -> (ViewFactors, CheckedFactors) {
     let options = Options { subdivide: None, accuracy, shadows: Shadows::Auto, threads: 2 };
     let factors = ViewFactors::new(&can(built), &options, &Work::alone()).expect("all have area");
     let effort = Effort::of_walks(65536.0);
-    let told = CheckedFactors::judged(
-        &can(2.0),
-        &factors,
-        &options,
-        &[0, 1, 2],
-        &|_, _| true,
-        &effort,
-        &Work::alone(),
-    );
+    let told = CheckedFactors::judged(&can(2.0), &factors, &[0, 1, 2], &|_, _| true, &effort, &Work::alone());
     (factors, told)
 }
 

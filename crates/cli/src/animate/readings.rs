@@ -1,7 +1,7 @@
 //! Irradiance at points, frame after frame.
 
 use radiosity_output::table::{Column, Table, Value};
-use radiosity_reading::checked_readings::PrintedReading;
+use radiosity_reading::checked_readings::{CheckedReadings, PrintedReading};
 use radiosity_reading::own_error::OwnError;
 use radiosity_reading::probe::{ProbeReading, probe};
 use radiosity_reading::quality;
@@ -32,6 +32,18 @@ struct FrameReadings {
     readings: Vec<ProbeReading>,
     /// The method's own estimates of their errors.
     own: OwnError,
+}
+
+impl FrameReadings {
+    /// The errors that are told after what was `found`, in this frame if it `is_judged`, else in another.
+    fn errors(&self, found: Option<&CheckedReadings>, is_judged: bool) -> Vec<f64> {
+        let of = |own: &ProbeReading| self.own.of_reading(&own.irradiance, own.deviation);
+        let estimates = self.readings.iter().map(of);
+        match is_judged {
+            true => CheckedReadings::all_told(found, estimates),
+            false => CheckedReadings::all_told_of_others(found, estimates),
+        }
+    }
 }
 
 impl Readings {
@@ -74,9 +86,15 @@ impl Readings {
         ReadError::of(readings.map(|reading| reading.deviation))
     }
 
-    /// Prints `frame,point,x,y,z,nx,ny,nz,E_<band>…,error`, a row for each frame and point, with own
-    /// estimates of errors multiplied by `factor`.
-    pub(super) fn write(&self, bands: &[String], factor: f64, ranks: &Ranks) -> Result<(), CliError> {
+    /// Prints `frame,point,x,y,z,nx,ny,nz,E_<band>…,error`, a row for each frame and point, with the errors that
+    /// follow from what was found in the frame of the number `judged`.
+    pub(super) fn write(
+        &self,
+        bands: &[String],
+        judged: usize,
+        found: Option<&CheckedReadings>,
+        ranks: &Ranks,
+    ) -> Result<(), CliError> {
         let columns = [
             Column::numbers("frame", ""),
             Column::numbers("point", ""),
@@ -84,13 +102,13 @@ impl Readings {
             Column::bands("irradiance", 'E', bands),
             Column::numbers("error", ""),
         ];
-        let rows = self.frames.iter().flat_map(|FrameReadings { frame, readings, own }| {
-            readings.iter().enumerate().map(move |(point, reading)| {
-                let ProbeReading { probe, irradiance, deviation, .. } = reading;
+        let rows = self.frames.iter().flat_map(|own| {
+            let errors = own.errors(found, own.frame == judged);
+            own.readings.iter().zip(errors).enumerate().map(move |(point, (reading, error))| {
+                let ProbeReading { probe, irradiance, .. } = reading;
                 let place = [probe.position.to_array(), probe.normal.to_array()].concat();
-                let error = factor * own.of_reading(irradiance, *deviation);
                 let place = Value::numbers(place);
-                [Value::from(*frame), point.into(), place, Value::numbers(irradiance), error.into()]
+                [Value::from(own.frame), point.into(), place, Value::numbers(irradiance), error.into()]
             })
         });
         let table = Table::new(columns, rows);

@@ -4,7 +4,7 @@
 //! were asked for, which errs by more than light does. What a lamp emits is known, and is left out: it would
 //! outshine the errors of all the rest.
 
-use radiosity_audit::{Pixel, Spot};
+use radiosity_audit::{Pixel, Spot, evenly};
 use radiosity_scene::{Camera, Scene};
 use radiosity_visibility::Visibility;
 
@@ -12,7 +12,7 @@ use super::frame_light::forecast::INTERPOLATED;
 use super::frame_light::picture_light::GATHERED_FOR_PICTURES;
 use super::pinhole::Pinhole;
 use super::raster::Raster;
-use crate::checked_readings::{PrintedReading, evenly};
+use crate::checked_readings::PrintedReading;
 use crate::own_error::OwnError;
 use crate::quality::{Quality, ReadSettings};
 use crate::reader::ReadMode;
@@ -49,7 +49,7 @@ impl<'a> PrintedPixels<'a> {
         let all = raster.coverage().len();
         let pixels =
             Self { raster, camera, scene, visibility, view: Pinhole::new(camera), own, judged: Vec::new() };
-        let chosen = evenly(0..all, all, LOOKED_AT.min(all), 0);
+        let chosen = evenly(0..all, all, LOOKED_AT, 0);
         let judged = chosen.filter_map(|pixel| Some((pixel, pixels.surface(pixel)?))).collect();
         Self { judged, ..pixels }
     }

@@ -1,8 +1,5 @@
 //! Judged heat: flows and temperatures of surfaces.
 
-use std::borrow::Cow;
-
-use radiosity_audit::{Checked, Judged};
 use radiosity_heat::judging::{JudgedHeat, JudgedSurface};
 use radiosity_work::digits::{decimals, error, significant};
 
@@ -13,7 +10,7 @@ use crate::table::{Column, Table, Value};
 pub fn judgement(run: &JudgedHeat) -> Judgement<'_> {
     Judgement {
         verdict: &run.verdict,
-        checked: Cow::Owned(checked(run)),
+        checked: &run.checked,
         of: "surfaces",
         walks_of: "surface",
         walks: run.walks,
@@ -26,11 +23,6 @@ pub fn judgement(run: &JudgedHeat) -> Judgement<'_> {
         has_means: false,
         all: Table::new(columns(), run.surfaces.iter().map(row)),
     }
-}
-
-fn checked(run: &JudgedHeat) -> Checked {
-    let judged: Vec<Judged> = run.surfaces.iter().map(|own| own.judged.clone()).collect();
-    Checked::with(&judged, run.told, &run.verdict, "surfaces")
 }
 
 fn worst(run: &JudgedHeat) -> Table<'static> {

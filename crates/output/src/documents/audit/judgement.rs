@@ -24,7 +24,7 @@ pub struct Judgement<'a> {
     /// The verdict.
     pub(super) verdict: &'a Verdict,
     /// The errors that it makes of those that the run tells by itself.
-    pub(super) checked: Cow<'a, Checked>,
+    pub(super) checked: &'a Checked,
     /// Plural noun of what is judged.
     pub(super) of: &'static str,
     /// Words for the thing that has so many walks.

@@ -1,7 +1,5 @@
 //! Judged light: readings at places.
 
-use std::borrow::Cow;
-
 use radiosity_reading::checked_readings::CheckEffort;
 use radiosity_reading::judging::{JudgedReading, JudgedRun};
 use radiosity_scene::Scene;
@@ -14,7 +12,7 @@ use crate::table::{Column, Table, Value};
 pub fn judgement<'a>(scene: &'a Scene, effort: &CheckEffort, run: &'a JudgedRun) -> Judgement<'a> {
     Judgement {
         verdict: &run.verdict,
-        checked: Cow::Borrowed(&run.checked),
+        checked: &run.checked,
         of: "readings",
         walks_of: "reading",
         walks: effort.effort.walks(),

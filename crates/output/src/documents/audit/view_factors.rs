@@ -1,8 +1,5 @@
 //! Judged view factors.
 
-use std::borrow::Cow;
-
-use radiosity_audit::{Checked, Judged};
 use radiosity_reading::judged_factors::{JudgedFactor, JudgedFactors};
 use radiosity_work::digits::{decimals, error, significant};
 
@@ -13,7 +10,7 @@ use crate::table::{Column, Table, Value};
 pub fn judgement(run: &JudgedFactors) -> Judgement<'_> {
     Judgement {
         verdict: &run.verdict,
-        checked: Cow::Owned(checked(run)),
+        checked: &run.checked,
         of: "view factors",
         walks_of: "surface",
         walks: run.rays,
@@ -26,11 +23,6 @@ pub fn judgement(run: &JudgedFactors) -> Judgement<'_> {
         has_means: true,
         all: Table::new(columns(), run.factors.iter().map(row)),
     }
-}
-
-fn checked(run: &JudgedFactors) -> Checked {
-    let judged: Vec<Judged> = run.factors.iter().map(|own| own.judged.clone()).collect();
-    Checked::with(&judged, run.told, &run.verdict, "view factors")
 }
 
 fn worst(run: &JudgedFactors) -> Table<'static> {

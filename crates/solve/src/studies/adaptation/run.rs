@@ -3,6 +3,7 @@
 use std::cell::OnceCell;
 use std::time::{Duration, Instant};
 
+use radiosity_audit::Verdict;
 use radiosity_elements::mesh::Mesh;
 use radiosity_scene::Scene;
 use radiosity_solvers::{SolveError, Stop};
@@ -88,6 +89,8 @@ impl<'a> Adaptation<'a> {
             if self.goal.by == GatherMethod::Walks && self.goal.readings.is_some() {
                 return Ok(self.by_walks(run));
             }
+            // It is made once, however many runs follow.
+            begun += self.call_judge(&mut run)?;
             let found = self.found(&mut run, planned.expected)?;
             let error = found.error;
             let following = if found.is_reached { Err(EndReason::Reached) } else { next(&mut run, found)? };
@@ -135,18 +138,12 @@ impl<'a> Adaptation<'a> {
     /// as small as is wanted shows there; else as the method estimates it, times the factor that the judge finds.
     fn found(&self, run: &mut Solved, expected: f64) -> Result<Found, Failure> {
         let wanted = self.goal.accuracy;
-        let verdict = match self.judge(run)? {
-            Some(judge) => {
-                let verdict =
-                    run.options.in_threads(self.work.ranks, || judge.on(run, self.goal, self.work))?;
-                if judge.is_sharp {
-                    let error = verdict.bound();
-                    return Ok(Found { error, is_reached: error <= wanted, own: None });
-                }
-                Some(verdict)
-            }
-            None => None,
-        };
+        let judge = self.judge.get().and_then(Option::as_ref);
+        let verdict = judge.map(|judge| self.estimated(run, |run| self.verdict(judge, run))).transpose()?;
+        if let (Some(verdict), Some(Judge { is_sharp: true, .. })) = (&verdict, judge) {
+            let error = verdict.bound();
+            return Ok(Found { error, is_reached: error <= wanted, own: None });
+        }
         let mut own = self.own(run, expected)?;
         // Light that was gathered for a larger error may hide as much as is wanted.
         if expected > wanted && own.error <= wanted {
@@ -156,20 +153,38 @@ impl<'a> Adaptation<'a> {
         Ok(Found { error, is_reached: error <= wanted, own: Some(own) })
     }
 
-    /// The judge, made for the first run.
-    fn judge(&self, run: &Solved) -> Result<Option<&Judge>, Failure> {
-        if self.judge.get().is_none() {
-            let make = || Judge::of(self.goal, run, self.work);
-            let made = run.options.in_threads(self.work.ranks, make)?;
-            return Ok(self.judge.get_or_init(|| made).as_ref());
+    /// Makes the judge if `run` is the first; gives the time that this took.
+    fn call_judge(&self, run: &mut Solved) -> Result<Duration, Failure> {
+        if self.judge.get().is_some() {
+            return Ok(Duration::ZERO);
         }
-        Ok(self.judge.get().and_then(Option::as_ref))
+        let before = run.outcome.seconds.estimate;
+        let made = self.estimated(run, |run| {
+            let make = || Judge::of(self.goal, run, self.work);
+            run.options.in_threads(self.work.ranks, make)
+        })?;
+        self.judge.get_or_init(|| made);
+        Ok(run.outcome.seconds.estimate - before)
     }
 
-    /// The method's own estimate of the error of a run, timed.
+    /// The judge's verdict on the light of a run.
+    fn verdict(&self, judge: &Judge, run: &Solved) -> Result<Verdict, Failure> {
+        run.options.in_threads(self.work.ranks, || judge.on(run, self.goal, self.work))
+    }
+
+    /// The method's own estimate of the error of a run.
     pub(super) fn own(&self, run: &mut Solved, expected: f64) -> Result<ErrorEstimate, Failure> {
+        self.estimated(run, |run| estimate(run, self.goal, expected, self.work))
+    }
+
+    /// A part of the estimation of the error of a run, timed.
+    fn estimated<T>(
+        &self,
+        run: &mut Solved,
+        part: impl FnOnce(&Solved) -> Result<T, Failure>,
+    ) -> Result<T, Failure> {
         let mut taken = Duration::ZERO;
-        let estimate = timed(&mut taken, || estimate(run, self.goal, expected, self.work))?;
+        let estimate = timed(&mut taken, || part(run))?;
         run.outcome.seconds.estimate += taken;
         self.work.report(Progress::Finished { stage: Stage::Estimate, took: taken });
         Ok(estimate)

@@ -5,10 +5,9 @@
 //! area have one. Every discretisation has points of its own: what was refined for the sake of some would
 //! look too good from the same.
 
-use radiosity_audit::Spot;
+use radiosity_audit::{Spot, evenly};
 use radiosity_elements::Element;
 use radiosity_elements::patch::{Node, Patch};
-use radiosity_elements::sampling::kronecker;
 use radiosity_geom::DVec3;
 use radiosity_light::receiver_point::ReceiverPoint;
 use radiosity_visibility::Visibility;
@@ -69,7 +68,7 @@ impl Sensor {
             let free = || ReceiverPoint::free(position, normal);
             Self { point: point.map_or_else(free, |point| point.receiver_point(normal)), weights }
         };
-        some(goal.points.len(), MOST).map(|index| sensor(goal.points[index])).collect()
+        evenly(goal.points.iter().copied(), goal.points.len(), MOST, 0).map(sensor).collect()
     }
 
     /// The sensors of a goal.
@@ -80,27 +79,10 @@ impl Sensor {
         }
     }
 
-    /// At most `count` of these sensors, evenly over their list.
-    pub(super) fn some_of(all: Vec<Self>, count: usize) -> Vec<Self> {
-        let mut all: Vec<Option<Self>> = all.into_iter().map(Some).collect();
-        some(all.len(), count).filter_map(|index| all[index].take()).collect()
-    }
-
     /// The place for a referee.
     pub(super) fn spot(&self) -> Spot {
         Spot::Point { position: self.point.position, normal: self.point.normal }
     }
-}
-
-/// Indices of at most `most` of `count` points, one of each equal stretch, at places that do not keep step with the
-/// rows of a plane.
-fn some(count: usize, most: usize) -> impl Iterator<Item = usize> {
-    let chosen = count.min(most);
-    (0..chosen).map(move |k| {
-        let [low, high] = [k, k + 1].map(|k| k * count / chosen);
-        let [share, _] = kronecker::point(k as u64);
-        low + ((high - low) as f64 * share) as usize
-    })
 }
 
 /// A point of an element.
@@ -173,21 +155,4 @@ fn point(element: &Element, patch: &Patch, index: usize) -> (Point, f64) {
 /// Area of a patch: that of its middle where it is flat, and curved elements have one.
 fn area(element: &Element, patch: &Patch) -> f64 {
     if patch.is_flat() { patch.node(0.5, 0.5).area } else { element.area }
-}
-
-#[cfg(test)]
-mod tests {
-    use std::collections::BTreeSet;
-
-    use super::*;
-
-    #[test]
-    fn few_sensors_are_all_taken_and_many_from_every_column() {
-        assert!(some(300, MOST).eq(0..300));
-        assert_eq!(some(0, MOST).count(), 0);
-        // A plane of 512 × 64 sensors: their columns are indices modulo 64.
-        let taken: Vec<usize> = some(512 * 64, MOST).collect();
-        assert!(taken.len() == MOST && taken.is_sorted_by(|a, b| a < b));
-        assert_eq!(taken.iter().map(|index| index % 64).collect::<BTreeSet<_>>().len(), 64);
-    }
 }
