@@ -1,4 +1,4 @@
-//! What is by chance: laws of sums whose errors are themselves estimated.
+//! Chance: laws of sums whose errors are themselves estimated.
 //!
 //! Sums of unequal squares are about those of h equal ones, and their s² have 7 h degrees of freedom,
 //!

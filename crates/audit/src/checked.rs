@@ -239,8 +239,8 @@ mod tests {
         assert!(right.to_string().contains("no error above 0.007") && right.finding().is_none(), "{right}");
     }
 
-    /// A quarter of the readings print 0 where 1 is true, and own estimates are a thousandth of what is printed: what is
-    /// told of all is √¼ in the mean square, and a 0 errs by half of that square, whether or not it was judged.
+    /// A quarter of the readings print 0 where 1 is true, and own estimates are a thousandth of what is printed:
+    /// ¼ is told of all in the mean square, and a 0 errs by half of that square where it was not judged.
     #[test]
     fn a_printed_zero_errs_where_more_is_found_than_told() {
         let printed: Vec<f64> = (0..64).map(|k| if k % 4 == 0 { 0.0 } else { 1.0 }).collect();
