@@ -17,6 +17,8 @@ pub(crate) mod walks;
 pub mod read_irradiance;
 pub mod receiver;
 mod ray_count;
+mod sent_rays;
+mod walked_light;
 pub mod ray_gather;
 pub mod gather_method;
 

@@ -166,8 +166,8 @@ fn lamps_close_to_others() {
     assert_near(&errors(&scene, &[scattered(4, 10), scattered(5, 10)].concat()));
 }
 
-/// A bulb in a shade that is open above and below: the box of the shade holds the bulb, the shade comes nowhere near it,
-/// and some of it stands before the bulb, some beyond. The bulb is taken as a whole.
+/// A bulb in a shade that is open above and below: the box of the shade holds the bulb, the shade comes nowhere
+/// near it, and some of it stands before the bulb, some beyond. The bulb is taken as a whole.
 #[test]
 fn bulbs_in_shades() {
     let p = DVec3::new;
