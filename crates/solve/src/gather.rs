@@ -20,6 +20,7 @@ mod ray_count;
 mod sent_rays;
 mod walked_light;
 pub mod ray_gather;
+mod cell_price;
 pub mod gather_method;
 
 use radiosity_elements::patch::Node;
