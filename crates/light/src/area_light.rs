@@ -22,7 +22,7 @@
 
 use std::f64::consts::TAU;
 
-use radiosity_geom::{DVec2, DVec3, LOOSE, Surface, extreme_points, sides};
+use radiosity_geom::{Aabb, DVec2, DVec3, LOOSE, Surface, extreme_points, sides};
 use radiosity_kernel::irradiance::lambert;
 use radiosity_visibility::Visibility;
 use radiosity_visibility::silhouette_mesh::{Knot, SilhouetteMesh};
@@ -90,10 +90,15 @@ impl<'a> AreaLight<'a> {
         };
         let mut sides = (bounds.max - bounds.min).to_array();
         sides.sort_by(f64::total_cmp);
-        let near = visibility.near(&bounds.inflate(0.5 * ROOM * sides[1])).into_iter();
-        let (lids, others): (Vec<usize>, Vec<usize>) =
-            near.filter(|other| *other != surface).partition(is_lid);
-        others.is_empty().then_some(Self { mesh, quads, lids, center, radius })
+        let room = bounds.inflate(0.5 * ROOM * sides[1]);
+        let near = visibility.near(&room).into_iter().filter(|other| *other != surface);
+        let (lids, others): (Vec<usize>, Vec<usize>) = near.partition(is_lid);
+        // The box of a shade holds the lamp within, which it nowhere comes near.
+        let reaches = |other: &usize| match visibility.pieces(*other) {
+            Some(pieces) => pieces.iter().any(|piece| Aabb::around(piece.iter().copied()).overlaps(&room)),
+            None => visibility.silhouette_mesh(*other).reaches_into(&room),
+        };
+        (!others.iter().any(reaches)).then_some(Self { mesh, quads, lids, center, radius })
     }
 
     /// Upper bound of the irradiance from exitance 1 at a point outside the bounding ball.

@@ -3,7 +3,7 @@
 use radiosity_geom::DVec3;
 use radiosity_light::direct::DirectLight;
 use radiosity_light::receiver_point::ReceiverPoint;
-use radiosity_solve::gather::gather_method::{GatherMethod, Gathering};
+use radiosity_solve::gather::gather_method::{GatherMethod, Gathering, SOME_POINTS};
 use radiosity_solve::gather::read_irradiance::ReadIrradiance;
 use radiosity_solve::solution::{Solution, SurfacePlace};
 use radiosity_visibility::Visibility;
@@ -49,7 +49,7 @@ impl<'a> Reader<'a> {
         Self::by(GatherMethod::Auto, solution, visibility, read, eps)
     }
 
-    /// As [`Reader::new`], with gathered light by cells or by rays.
+    /// As [`Reader::new`], with gathered light by cells, by rays or by walks.
     pub fn by(
         by: GatherMethod,
         solution: &'a Solution,
@@ -64,7 +64,7 @@ impl<'a> Reader<'a> {
                 RecomputedLight::Direct(DirectLight::within(&solution.emitters(), visibility, eps))
             }
             ReadMode::Gather | ReadMode::GatherTwice => {
-                RecomputedLight::Gathered(by.gathering(solution, visibility, eps, 1.0, twice))
+                RecomputedLight::Gathered(by.gathering(solution, visibility, eps, 1.0, SOME_POINTS, twice))
             }
         };
         Self { solution, visibility, light }

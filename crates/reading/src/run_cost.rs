@@ -2,10 +2,10 @@
 //! ([`radiosity_solve::driver::cost`]):
 //!
 //! ```text
-//! ¼ points · seconds to gather the light of one .
+//! ¼ seconds to gather the light of all .
 //! ```
 
-use radiosity_solve::gather::gather_method::seconds_to_gather;
+use radiosity_solve::gather::gather_method::SOME_POINTS;
 use radiosity_solve::solved::Solved;
 
 use crate::quality::ReadSettings;
@@ -21,7 +21,9 @@ pub fn seconds_to_read(solved: &Solved, settings: &ReadSettings, points: f64) ->
     match settings.read {
         ReadMode::Basis | ReadMode::Direct => 0.0,
         ReadMode::Gather | ReadMode::GatherTwice => {
-            SHARED * points * seconds_to_gather(&solved.outcome.solution, solved.visibility(), settings.eps)
+            let (solution, visibility) = (&solved.outcome.solution, solved.visibility());
+            let twice = settings.read == ReadMode::GatherTwice;
+            SHARED * settings.by.seconds(solution, visibility, settings.eps, points, SOME_POINTS, twice)
         }
     }
 }

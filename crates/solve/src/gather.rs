@@ -17,7 +17,10 @@ pub(crate) mod walks;
 pub mod read_irradiance;
 pub mod receiver;
 mod ray_count;
+mod sent_rays;
+mod walked_light;
 pub mod ray_gather;
+mod cell_price;
 pub mod gather_method;
 
 use radiosity_elements::patch::Node;

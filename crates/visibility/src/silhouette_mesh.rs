@@ -170,6 +170,11 @@ impl SilhouetteMesh {
         })
     }
 
+    /// Whether the surface may reach into a box.
+    pub fn reaches_into(&self, bounds: &Aabb) -> bool {
+        self.quads().any(|quad| quad.bounds.overlaps(bounds))
+    }
+
     /// Calls `take` for every quad that may reach into `region`, quartered near the eye.
     pub fn visit<'a>(&'a self, region: &impl Region, take: &mut impl FnMut(Cow<'a, Quad>)) {
         let mut stack = vec![0];

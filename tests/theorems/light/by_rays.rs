@@ -17,8 +17,9 @@ use radiosity::solve::gather::receiver::Receiver;
 use radiosity::solve::{Options, Outcome};
 use radiosity::visibility::Visibility;
 use radiosity::{Scene, SceneBuilder, Work};
-use radiosity_test_support::scenes::{builtin, material};
-use radiosity_test_support::shapes::ball;
+use radiosity_test_support::given::even;
+use radiosity_test_support::scenes::{builtin, builtin_with, material};
+use radiosity_test_support::shapes::{ball, inside};
 use radiosity_test_support::solved::outcome_of;
 
 fn solved(scene: &Scene) -> (Outcome, Visibility) {
@@ -54,6 +55,44 @@ fn every_point_of_a_furnace_is_as_bright() {
             assert!(error <= 4.0 * deviation(&found) + by_chance, "{position} {normal}: {found:?}");
         }
     }
+}
+
+/// In a furnace E = M/(1 − ρ) everywhere, of which walks of hundreds of surfaces bring the most.
+#[test]
+fn walks_of_white_furnaces_are_right_in_the_mean() {
+    for (name, reflectance) in [("furnace-cube", 0.95), ("furnace-cube", 0.99), ("furnace-sphere", 0.95)] {
+        let scene = builtin_with(name, &[("reflectance", reflectance)]);
+        let (outcome, visibility) = solved(&scene);
+        let gather = RayGather::new(&outcome.solution, &visibility, 2e-2, Beyond::Walked);
+        let exact = 1.0 / (1.0 - reflectance);
+        let (center, size) = (visibility.bounds().center(), visibility.bounds().diagonal());
+        let errors: Vec<[f64; 2]> = places()
+            .map(|(position, normal)| {
+                let position = center + 0.4 * size / 3.0f64.sqrt() * (2.0 * position - 1.0) / 3.0f64.sqrt();
+                let found = gather.read(&Receiver::Point(ReceiverPoint::free(position, normal)));
+                [found.irradiance[0] / exact - 1.0, deviation(&found)]
+            })
+            .collect();
+        let sum = |of: usize| errors.iter().map(|pair| pair[of] * pair[of]).sum::<f64>();
+        assert!(sum(0) < 2.5 * sum(1), "{name} {reflectance}: {errors:?}");
+        let mean = errors.iter().map(|[error, _]| error).sum::<f64>() / errors.len() as f64;
+        let of_mean = sum(1).sqrt() / errors.len() as f64;
+        assert!(mean.abs() < 4.0 * of_mean, "{name} {reflectance}: {mean} ± {of_mean}");
+    }
+}
+
+/// Where nearly nothing is absorbed walks do not end, and what is read by them tells no accuracy.
+#[test]
+fn walks_without_an_end_tell_no_accuracy() {
+    let mut builder = SceneBuilder::new("mirror", ["grey"]);
+    let white = builder.material("white", material(1.0 - 1e-12, 1.0));
+    builder.surface("ball", inside(ball(DVec3::ZERO, 1.0)), &white);
+    let scene = builder.build().expect("a scene");
+    let solution = even(&scene, 0, 1.0, 1.0);
+    let visibility = Options::default().visibility(&scene);
+    let gather = RayGather::new(&solution, &visibility, 0.1, Beyond::Walked);
+    let found = gather.read(&Receiver::Point(ReceiverPoint::free(DVec3::ZERO, DVec3::Z)));
+    assert!(deviation(&found).is_infinite(), "{found:?}");
 }
 
 #[test]

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use radiosity::light::direct::DirectLight;
 use radiosity::scene::Scene;
 use radiosity::visibility::{Shadows, Visibility};
-use radiosity_geom::shapes::{Bezier, Cylinder, Disk, FULL_TURN, Sphere, Torus};
+use radiosity_geom::shapes::{Bezier, Cone, Cylinder, Disk, FULL_TURN, Sphere, Torus};
 use radiosity_geom::{DVec3, Surface};
 use radiosity_test_support::direct::ACCURACY;
 use radiosity_test_support::given::even;
@@ -164,6 +164,19 @@ fn lamps_close_to_others() {
     let scene = lit_by_a_can(-0.45);
     assert_near(&errors(&scene, &scattered(0, 20)));
     assert_near(&errors(&scene, &[scattered(4, 10), scattered(5, 10)].concat()));
+}
+
+/// A bulb in a shade that is open above and below: the box of the shade holds the bulb, the shade comes nowhere
+/// near it, and some of it stands before the bulb, some beyond. The bulb is taken as a whole.
+#[test]
+fn bulbs_in_shades() {
+    let p = DVec3::new;
+    let bulb = ball(p(0.1, 0.0, 1.4), 0.05);
+    let shade = Cone::new(p(0.1, 0.0, 1.3), 0.25 * DVec3::Z, 0.17, 0.1, FULL_TURN).expect("a shade");
+    let below = wall(p(-1.5, -1.5, 0.0), 3.0 * DVec3::X, 3.0 * DVec3::Y);
+    let above = wall(p(-1.5, -1.5, 2.5), 3.0 * DVec3::Y, 3.0 * DVec3::X);
+    let scene = scene(vec![below, Arc::new(bulb), above, Arc::new(shade)], |index| index == 1);
+    assert_near(&errors(&scene, &[scattered(0, 60), scattered(2, 60)].concat()));
 }
 
 #[test]

@@ -8,7 +8,7 @@ use std::ops::Range;
 
 use radiosity_light::penumbra::RayEffort;
 use radiosity_scene::Camera;
-use radiosity_solve::gather::gather_method::seconds_to_gather;
+use radiosity_solve::gather::gather_method::GatherMethod;
 use radiosity_solve::solution::Solution;
 use radiosity_visibility::Visibility;
 use radiosity_work::ranks::PartName;
@@ -85,8 +85,10 @@ pub fn render(
 /// Source of light of a picture of so many pixels unless told otherwise: gathered, if two threads do that
 /// within some ten seconds, else with direct light alone recomputed. Direct light takes its time in both.
 pub fn usual_read(solution: &Solution, visibility: &Visibility, pixels: u64) -> ReadMode {
-    let seconds = seconds_to_gather(solution, visibility, AVERAGED * GATHERED_FOR_PICTURES);
-    let gathered = pixels as f64 / INTERPOLATED / THREADS * seconds;
+    let points = pixels as f64 / INTERPOLATED;
+    let eps = AVERAGED * GATHERED_FOR_PICTURES;
+    let seconds = GatherMethod::Auto.seconds(solution, visibility, eps, points, f64::INFINITY, false);
+    let gathered = seconds / THREADS;
     if gathered <= PATIENCE { ReadMode::Gather } else { ReadMode::Direct }
 }
 

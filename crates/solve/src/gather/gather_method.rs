@@ -1,27 +1,30 @@
-//! The choice of how light is gathered at points: by cells, or by rays.
+//! The choice of how light is gathered at points: by cells, by rays, or by walks.
 //!
-//! Cells ([`crate::gather::Gather`]) cost time in proportion to the elements and to what stands before them,
-//! little more where more digits are asked for; least in small rooms of flat things. Rays
-//! ([`crate::gather::ray_gather`]) cost about the same whatever the scene is, and ε^(−4/3).
+//! Cells ([`crate::gather::Gather`]) cost time in proportion to the elements and to what stands before them, once for
+//! their tables and again for each point, little more where more digits are asked for; least in small rooms of flat
+//! things. Rays ([`crate::gather::ray_gather`]) cost about the same whatever the scene is, and ε^(−4/3). Both take
+//! what surfaces reflect from the polynomials of the solution. Walks (`super::walked_light`) take nothing from them,
+//! and cost ε⁻²: they are never chosen here, but by who knows what else a solution would take to be as accurate.
 
-use radiosity_elements::Element;
 use radiosity_light::receiver_point::ReceiverPoint;
 use radiosity_visibility::Visibility;
 use serde::{Deserialize, Serialize};
 
 use crate::gather::Gather;
-use crate::gather::ray_count::usual_rays;
+use crate::gather::cell_price::CellPrice;
+use crate::gather::ray_count::{usual_rays, usual_walks};
 use crate::gather::ray_gather::{Beyond, RayGather};
 use crate::gather::read_irradiance::ReadIrradiance;
 use crate::gather::receiver::Receiver;
 use crate::solution::Solution;
 
-/// Seconds of a ray; of a flat element behind flat things, and for each of those; of one that is curved or
-/// may lie behind something curved. Measured on one core: Cornell box, offices, teapot, soda shop.
-const RAY: f64 = 0.7e-6;
-const FLAT: f64 = 1.5e-6;
-const BEHIND_FLAT: f64 = 0.02e-6;
-const CURVED: f64 = 100e-6;
+/// Seconds of a ray, and of a walk. Measured on one core: the rooms of [`CellPrice`]; the Cornell box.
+const RAY: f64 = 1.2e-6;
+const WALK: f64 = 4e-6;
+
+/// Points that share the tables of cells where it is not known how many are read. Chosen: in rooms a dozen to a hundred
+/// take less than twice the time of the better choice.
+pub const SOME_POINTS: f64 = 25.0;
 
 /// Rays among luminaires over those without: where one shines on a surface beside it, few rays meet the peak.
 /// Chosen.
@@ -48,7 +51,7 @@ pub enum GatherMethod {
 pub enum Gathering<'a> {
     /// By cells.
     Cells(Gather<'a>),
-    /// By rays.
+    /// By rays, or by walks.
     Rays(RayGather<'a>),
 }
 
@@ -75,19 +78,20 @@ impl Gathering<'_> {
 
 impl GatherMethod {
     /// The light of `solution`, gathered `twice` or once by what this method chooses: by cells to about the
-    /// relative accuracy `eps`, by rays to `rougher` times that.
+    /// relative accuracy `eps`, by rays to `rougher` times that; about so many `points` are read.
     pub fn gathering<'a>(
         self,
         solution: &'a Solution,
         visibility: &'a Visibility,
         eps: f64,
         rougher: f64,
+        points: f64,
         twice: bool,
     ) -> Gathering<'a> {
         let by_rays = |beyond| Gathering::Rays(RayGather::new(solution, visibility, rougher * eps, beyond));
         match twice {
             _ if self == Self::Walks => by_rays(Beyond::Walked),
-            _ if self.rays(solution, visibility, rougher * eps, twice) => {
+            _ if self.rays(solution, visibility, [eps, rougher * eps], points, twice) => {
                 by_rays(if twice { Beyond::Gathered } else { Beyond::Polynomials })
             }
             true => Gathering::Cells(Gather::twice(solution, visibility, eps)),
@@ -95,14 +99,20 @@ impl GatherMethod {
         }
     }
 
-    /// Whether rays gather light to the relative accuracy `eps`, `twice` or once.
-    pub(crate) fn rays(self, solution: &Solution, visibility: &Visibility, eps: f64, twice: bool) -> bool {
+    /// Whether rays gather light to the second relative accuracy, where cells would to the first.
+    fn rays(
+        self,
+        solution: &Solution,
+        visibility: &Visibility,
+        [by_cells, by_rays]: [f64; 2],
+        points: f64,
+        twice: bool,
+    ) -> bool {
         // Rays always meet what stands in their way, and know no masks.
         let is_plain = visibility.casts() && solution.masked().is_none();
         let is_cheaper = || {
-            let peaks = if solution.emitters().points.is_empty() { 1.0 } else { PEAKS };
-            let rays = if twice { 3.0 } else { 1.0 } * peaks * RAY * usual_rays(eps);
-            rays < price_of_cells(solution, visibility)
+            let cells = CellPrice::of(solution, visibility, by_cells, twice);
+            seconds_of_rays(solution, by_rays, twice) < cells.point + cells.once / points
         };
         match self {
             Self::Cells => false,
@@ -110,26 +120,32 @@ impl GatherMethod {
             Self::Auto => is_plain && is_cheaper(),
         }
     }
-}
 
-/// About the seconds of one core that a point takes, once, to the relative accuracy `eps`.
-pub fn seconds_to_gather(solution: &Solution, visibility: &Visibility, eps: f64) -> f64 {
-    match GatherMethod::Auto.rays(solution, visibility, eps, false) {
-        true => RAY * usual_rays(eps),
-        false => price_of_cells(solution, visibility),
+    /// About the seconds of one core that so many points take to the relative accuracy `eps`, of which about
+    /// `together` are read together.
+    pub fn seconds(
+        self,
+        solution: &Solution,
+        visibility: &Visibility,
+        eps: f64,
+        points: f64,
+        together: f64,
+        twice: bool,
+    ) -> f64 {
+        if self == Self::Walks {
+            return points * WALK * usual_walks(eps);
+        }
+        if self.rays(solution, visibility, [eps; 2], together, twice) {
+            return points * seconds_of_rays(solution, eps, twice);
+        }
+        let cells = CellPrice::of(solution, visibility, eps, twice);
+        cells.once + points * cells.point
     }
 }
 
-/// Seconds for a point by cells.
-fn price_of_cells(solution: &Solution, visibility: &Visibility) -> f64 {
-    let surfaces = solution.elements().surfaces();
-    let standing: Vec<usize> = (0..surfaces).filter(|surface| visibility.stands(*surface)).collect();
-    let curved_blockers = standing.iter().filter(|surface| visibility.pieces(**surface).is_none()).count();
-    // Something curved stands before about this share of all elements.
-    let behind_curved = (curved_blockers as f64 / surfaces as f64).sqrt().min(1.0);
-    let flat = FLAT + BEHIND_FLAT * standing.len() as f64;
-    let price = |element: &Element| {
-        if element.plane.is_none() { CURVED } else { flat + behind_curved * CURVED }
-    };
-    solution.elements().list().iter().filter(|element| element.contact.is_none()).map(price).sum()
+/// Seconds for a point by rays.
+fn seconds_of_rays(solution: &Solution, eps: f64, twice: bool) -> f64 {
+    let peaks = if solution.emitters().points.is_empty() { 1.0 } else { PEAKS };
+    let each = if twice { 3.0 } else { 1.0 };
+    each * peaks * RAY * usual_rays(eps)
 }

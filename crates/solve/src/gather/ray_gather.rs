@@ -23,36 +23,32 @@
 //!
 //! Gathered twice, E₁(y) is itself estimated so, by one ray of either kind.
 //!
-//! *Walked*, E₁(y) is estimated so too, and so is what the ray from y meets, and so on: nothing of the polynomials
-//! is left, and the mean has no bias but that of stopping where eight sequences agree. A walk whose share of
-//! what is read is w, the product of the reflectances on its way, goes on with the probability
-//! q = min(0.95, 2 w), and what it finds counts 1/q times.
+//! *Walked*, what is reflected at y is added by a walk from there (`super::walked_light`): nothing of the polynomials
+//! is left, and the mean has no bias but that of stopping where eight sequences agree. Walks are doubled while they
+//! come to few surfaces; what is read with too few tells a deviation that is too large.
 //!
 //! References: P. Shirley, C. Wang, K. Zimmerman, *Monte Carlo techniques for direct lighting calculations*,
 //! ACM TOG 15 (1996); E. Veach, L. Guibas, SIGGRAPH 1995, 419-428 (the balance heuristic).
 
-use std::f64::consts::PI;
 use std::ops::Range;
 
 use radiosity_elements::Element;
-use radiosity_elements::measure::WeightedNode;
 use radiosity_elements::sampling::kronecker;
 use radiosity_elements::sampling::lambert::lambert;
 use radiosity_elements::sampling::shift::{number_of, shift, shifted};
-use radiosity_geom::{COINCIDENT, DVec3};
-use radiosity_light::emitters::Radiances;
-use radiosity_light::lamps::{Lamps, Shares, Target};
-use radiosity_light::point_lights::PointLights;
+use radiosity_geom::DVec3;
+use radiosity_light::lamps::{Shares, Target};
 use radiosity_light::receiver_point::ReceiverPoint;
 use radiosity_light::tolerances::DARK;
 use radiosity_transport::tolerances::BATCHES;
 use radiosity_visibility::Visibility;
 use radiosity_work::interruption::check_interrupt_at;
 
-use crate::gather::ray_count::{most_rays, most_walks};
+use crate::gather::ray_count::{MOST_SURFACES, most_rays, most_walks};
 use crate::gather::read_irradiance::{Deviation, ReadIrradiance};
 use crate::gather::receiver::Receiver;
-use crate::gather::walks::{LIKELIEST, front_met};
+use crate::gather::sent_rays::{Met, SentRays};
+use crate::gather::walked_light::{Draws, Scores, WalkedLight};
 use crate::solution::{Solution, SurfacePlace};
 
 /// Cosine-distributed rays of each sequence before the error is first looked at; in pictures, where readings
@@ -61,8 +57,10 @@ use crate::solution::{Solution, SurfacePlace};
 const FIRST: u64 = 64;
 const FIRST_OF_MANY: u64 = 32;
 
-/// [`FIRST`] of walks. Chosen: a few of them bring much of the light, and without any the error looks small.
+/// [`FIRST`] of walks. Chosen: a few of them bring much of the light, and without any the error looks small. As many
+/// are sent at once at first, in case that they are long.
 const FIRST_WALKS: u64 = 256;
+const FEWEST_WALKS: u64 = 16;
 
 /// Factor on the standard deviation of so few sequences where it decides that rays are enough: those whose
 /// sequences agree by chance stop first. Measured in a classroom.
@@ -85,10 +83,6 @@ const SMALL: f64 = 1.0;
 /// % in 14, 17, 23 and 28 s with polynomials everywhere, 10, 4 and 1.
 const SMALL_BEHIND_PIXELS: f64 = 10.0;
 
-/// 2 in q = min(0.95, 2 w). Measured: the factor of the least variance in equal time on most of 17 scenes
-/// (`docs/theory/error.md`).
-const GOING_ON: f64 = 2.0;
-
 /// Light that the surfaces reflect which rays meet.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Beyond {
@@ -103,39 +97,13 @@ pub enum Beyond {
 /// A solution whose light is gathered by rays.
 #[derive(Debug)]
 pub struct RayGather<'a> {
-    solution: &'a Solution,
-    visibility: &'a Visibility,
-    lamps: Lamps,
-    radiances: &'a Radiances,
-    points: &'a PointLights,
+    rays: SentRays<'a>,
     /// Mean radiosity per band (W m⁻²).
     scale: Vec<f64>,
     eps: f64,
     /// Irradiance per band below which errors are to be small relative to this (W m⁻²).
     dark: Vec<f64>,
-    /// Distance of surfaces that cover each other (scene length).
-    touching: f64,
     beyond: Beyond,
-}
-
-/// Numbers in [0, 1) that choose the rays from where another ended.
-#[derive(Clone, Copy)]
-struct Draws {
-    /// Direction of the cosine-distributed ray.
-    direction: [f64; 2],
-    /// Emitter, and point on it.
-    target: [f64; 3],
-    /// Whether a walk goes on.
-    dice: f64,
-}
-
-impl Draws {
-    /// Numbers that follow from `chance`.
-    fn of(chance: u64) -> Self {
-        let [polar, turn, choice, s] = shift(chance);
-        let [t, dice] = shift(number_of([f64::from_bits(chance)]));
-        Self { direction: [polar, turn], target: [choice, s, t], dice }
-    }
 }
 
 /// Sources of the irradiance where a ray ends.
@@ -148,21 +116,6 @@ enum EndLight {
     Direct { chance: u64, small: f64 },
     /// All by rays that this number chooses.
     Gathered(u64),
-    /// All by a walk whose share of what is read is the weight; `draws` choose its rays here, and `chance` those that
-    /// follow.
-    Walked { draws: Draws, chance: u64, weight: f64 },
-}
-
-impl EndLight {
-    /// The light of a surface that sends on these parts of it, one a band.
-    fn dimmed(self, factors: impl Iterator<Item = f64>) -> Self {
-        match self {
-            Self::Walked { draws, chance, weight } => {
-                Self::Walked { draws, chance, weight: weight * factors.fold(0.0, f64::max) }
-            }
-            other => other,
-        }
-    }
 }
 
 /// Light by the rays that were sent so far.
@@ -172,14 +125,6 @@ struct Estimate {
     deviation: Deviation,
     /// Deviation relative to the irradiance, or to what counts as dark, which decides whether it is small enough.
     missed: f64,
-}
-
-/// Where a ray meets the front of a surface.
-struct Met {
-    element: usize,
-    place: SurfacePlace,
-    /// Distance from where it began.
-    distance: f64,
 }
 
 /// Rays of either kind that the balance heuristic combines, per cosine-distributed ray.
@@ -203,22 +148,19 @@ impl<'a> RayGather<'a> {
     /// taken from `beyond`; where the number of reflections is limited, from the polynomials.
     pub fn new(solution: &'a Solution, visibility: &'a Visibility, eps: f64, beyond: Beyond) -> Self {
         let scale = solution.mean_radiosity();
-        let lamps = Lamps::new(solution.elements().list(), &solution.coatings(), &scale);
-        let touching = COINCIDENT * visibility.bounds().diagonal();
-        let (radiances, points) = (solution.emitters().radiances, solution.emitters().points);
         let beyond = if solution.is_truncated() { Beyond::Polynomials } else { beyond };
         // What is darker than most would take most of the walks, and counts little in the L2 mean.
         let dark = match beyond {
             Beyond::Walked => solution.mean_arriving(),
             _ => scale.iter().map(|scale| DARK * scale).collect(),
         };
-        let solution = solution.sent();
-        Self { solution, visibility, lamps, radiances, points, scale, eps, dark, touching, beyond }
+        let rays = SentRays::new(solution, visibility, &scale);
+        Self { rays, scale, eps, dark, beyond }
     }
 
     /// All light of a receiver. It depends on nothing but the receiver.
     pub fn read(&self, origin: &Receiver) -> ReadIrradiance {
-        let shares = self.lamps.seen_from(&origin.middle());
+        let shares = self.rays.lamps.seen_from(&origin.middle());
         self.gathered(origin, Some(&shares), FIRST, &vec![0.0; self.scale.len()])
     }
 
@@ -243,15 +185,23 @@ impl<'a> RayGather<'a> {
         let bands = self.scale.len();
         let mut sums = vec![0.0; BATCHES * bands];
         let lit = shares.and(self.lit(origin));
-        let (first, most) = match self.beyond {
-            Beyond::Walked => (FIRST_WALKS, most_walks(self.eps)),
-            _ => (first, most_rays(self.eps)),
+        let (first, least, most) = match self.beyond {
+            Beyond::Walked => (FEWEST_WALKS, FIRST_WALKS, most_walks(self.eps)),
+            _ => (first, first, most_rays(self.eps)),
         };
         let (mut sent, mut now) = (0, first);
+        let (mut surfaces, mut are_whole) = (0, true);
         loop {
             for (batch, sums) in sums.chunks_exact_mut(bands).enumerate() {
                 let own = number.wrapping_add(batch as u64);
-                self.send_around(origin, shares, own, sent..sent + now, sums);
+                if self.beyond == Beyond::Walked {
+                    let mut scores = Scores { sums, surfaces: 0, are_whole: true };
+                    self.walk_around(origin, shares, own, sent..sent + now, &mut scores);
+                    surfaces += scores.surfaces;
+                    are_whole &= scores.are_whole;
+                } else {
+                    self.send_around(origin, shares, own, sent..sent + now, sums);
+                }
                 if shares.is_some() {
                     self.add_points(origin, lit.as_deref(), own, sent..sent + now, sums);
                 }
@@ -261,9 +211,12 @@ impl<'a> RayGather<'a> {
                 }
             }
             sent += now;
-            let Estimate { irradiance, deviation, missed } = self.estimate(&sums, sent, other);
-            let is_last = BATCHES as u64 * 2 * sent > most;
-            if CAUTION * missed <= self.eps || is_last {
+            let Estimate { irradiance, mut deviation, missed } = self.estimate(&sums, sent, other);
+            let is_last = BATCHES as u64 * 2 * sent > most || 2 * surfaces > MOST_SURFACES || !are_whole;
+            if is_last || (sent >= least && CAUTION * missed <= self.eps) {
+                if !are_whole {
+                    deviation.relative = f64::INFINITY;
+                }
                 return ReadIrradiance { irradiance, deviation: Some(deviation) };
             }
             now = sent;
@@ -280,14 +233,9 @@ impl<'a> RayGather<'a> {
         sums: &mut [f64],
     ) {
         let offset: [f64; 4] = shift(number);
-        let further: [f64; 8] = offsets(number);
         let mut radiosity = vec![0.0; sums.len()];
         for index in rays {
             let (place, direction) = match origin {
-                Receiver::Point(_) if self.beyond == Beyond::Walked => {
-                    let [polar, turn, ..]: [f64; 8] = shifted(kronecker::point(index), &further);
-                    ([0.5; 2], [polar, turn])
-                }
                 Receiver::Point(_) => {
                     let [a, b, ..] = offset;
                     ([0.5; 2], shifted(kronecker::point(index), &[a, b]))
@@ -302,12 +250,7 @@ impl<'a> RayGather<'a> {
             check_interrupt_at(index);
             let chance = number_of([f64::from_bits(number), index as f64]);
             let end_light = match (self.beyond, shares) {
-                (Beyond::Walked, _) => {
-                    let [_, _, polar, turn, choice, s, t, dice] = shifted(kronecker::point(index), &further);
-                    let draws = Draws { direction: [polar, turn], target: [choice, s, t], dice };
-                    EndLight::Walked { draws, chance, weight: 1.0 }
-                }
-                (Beyond::Gathered, _) => EndLight::Gathered(chance),
+                (Beyond::Gathered | Beyond::Walked, _) => EndLight::Gathered(chance),
                 (Beyond::Polynomials, Some(_)) => EndLight::Direct { chance, small: SMALL },
                 (Beyond::Polynomials, None) => EndLight::Direct { chance, small: SMALL_BEHIND_PIXELS },
             };
@@ -316,6 +259,56 @@ impl<'a> RayGather<'a> {
             self.add_met(&receiver, direction, to_lamps, end_light, &mut radiosity);
             sums.iter_mut().zip(&radiosity).for_each(|(sum, radiosity)| *sum += weight * radiosity);
         }
+    }
+
+    /// Begins the walks of these numbers.
+    fn walk_around(
+        &self,
+        origin: &Receiver,
+        shares: Option<&Shares>,
+        number: u64,
+        walks: Range<u64>,
+        scores: &mut Scores,
+    ) {
+        let offset: [f64; 4] = shift(number);
+        let further: [f64; 8] = offsets(number);
+        let walked = WalkedLight::new(&self.rays);
+        for index in walks {
+            if !scores.are_whole {
+                return;
+            }
+            let [a, b, polar, turn, choice, s, t, dice] = shifted(kronecker::point(index), &further);
+            let (place, direction) = match origin {
+                Receiver::Point(_) => ([0.5; 2], [a, b]),
+                Receiver::Patch(..) => {
+                    let [s, t, polar, turn] = shifted(kronecker::point(index), &offset);
+                    ([s, t], [polar, turn])
+                }
+            };
+            let (receiver, weight) = origin.at(place);
+            let Some(met) = self.rays.met(&receiver, lambert(receiver.normal, direction)) else { continue };
+            let to_lamps = shares.map(|shares| ToLamps { shares, ratio: TO_LAMPS });
+            let share = weight * self.exitance_left(&receiver, &met, to_lamps);
+            for (sum, band) in scores.sums.iter_mut().zip(self.rays.solution.bands()) {
+                *sum += share * band.coating.exitance[met.element];
+            }
+            let draws = Draws { direction: [polar, turn], target: [choice, s, t], dice };
+            let chance = number_of([f64::from_bits(number), index as f64]);
+            walked.add(met, weight, draws, chance, scores);
+        }
+    }
+
+    /// Part of the exitance of what a cosine-distributed ray meets that the balance heuristic leaves it beside the
+    /// rays `to_lamps`, times its relative radiance; none where there are none.
+    fn exitance_left(&self, receiver: &ReceiverPoint, met: &Met, to_lamps: Option<ToLamps>) -> f64 {
+        let part = to_lamps.map_or(0.0, |rays| match rays.ratio * rays.shares.density(met.element) {
+            0.0 => 1.0,
+            density => {
+                let kernel = met.kernel(receiver);
+                kernel / (kernel + density)
+            }
+        });
+        part * self.rays.relative(met)
     }
 
     /// Adds the radiosity of what a cosine-distributed ray meets: emitters with the weight that the balance
@@ -328,55 +321,22 @@ impl<'a> RayGather<'a> {
         end_light: EndLight,
         radiosity: &mut [f64],
     ) {
-        let Some(Met { element, place, distance }) = self.met(receiver, direction) else { return };
-        let SurfacePlace { surface, position, parameters } = place;
-        let normal = || self.normal(element, &place);
-        let weight = to_lamps.map_or(0.0, |rays| match rays.ratio * rays.shares.density(element) {
-            0.0 => 1.0,
-            density => {
-                let cosines = receiver.normal.dot(direction) * -normal().dot(direction);
-                let kernel = cosines / (PI * distance * distance);
-                kernel / (kernel + density)
-            }
+        let Some(met) = self.rays.met(receiver, direction) else { return };
+        let Met { element, place, distance, .. } = met;
+        let solution = self.rays.solution;
+        let irradiance = self.arriving(element, &place, &|| met.there(), distance, end_light);
+        let beyond = solution.behind(element, &place).map(|(behind, place)| {
+            self.arriving(behind, &place, &|| met.beyond(&place), distance, end_light)
         });
-        let there = || ReceiverPoint::on(surface, position, normal());
-        let coatings = || self.solution.bands().iter().map(|band| &band.coating);
-        let reflected = end_light.dimmed(coatings().map(|own| own.reflectance_at(element, parameters)));
-        let irradiance = self.arriving(element, &place, &there, distance, reflected);
-        let beyond = self.solution.behind(element, &place).map(|(behind, place)| {
-            let there = || ReceiverPoint::on(place.surface, position, -normal());
-            let transmitted = end_light.dimmed(coatings().map(|own| own.transmittance(element)));
-            self.arriving(behind, &place, &there, distance, transmitted)
-        });
-        let weight = weight * self.radiances.relative(surface, -direction);
-        for (index, (out, band)) in radiosity.iter_mut().zip(self.solution.bands()).enumerate() {
+        let exitance = self.exitance_left(receiver, &met, to_lamps);
+        for (index, (out, band)) in radiosity.iter_mut().zip(solution.bands()).enumerate() {
             let coating = &band.coating;
-            let reflected = coating.reflectance_at(element, parameters) * irradiance[index];
-            *out += reflected + weight * coating.exitance[element];
+            let reflected = coating.reflectance_at(element, place.parameters) * irradiance[index];
+            *out += reflected + exitance * coating.exitance[element];
             if let Some(beyond) = &beyond {
                 *out += coating.transmittance(element) * beyond[index];
             }
         }
-    }
-
-    /// The front that a ray meets first; None where that is covered by another surface, and the ray does not
-    /// come from it: what is covered shines only on what covers it.
-    fn met(&self, receiver: &ReceiverPoint, direction: DVec3) -> Option<Met> {
-        let (surface, hit) = front_met(self.visibility, receiver, direction)?;
-        let elements = self.solution.elements();
-        let element = elements.at(surface, [hit.u, hit.v])?;
-        let is_hidden = elements.list()[element].contact.is_some() && hit.t > self.touching;
-        let position = receiver.position + hit.t * direction;
-        let place = SurfacePlace { surface, parameters: [hit.u, hit.v], position };
-        (!is_hidden).then_some(Met { element, place, distance: hit.t })
-    }
-
-    /// The normal at a place of an element.
-    fn normal(&self, element: usize, place: &SurfacePlace) -> DVec3 {
-        let elements = self.solution.elements();
-        let [u, v] = place.parameters;
-        let curved = || elements.shape(place.surface).jet(u, v).normal;
-        elements.list()[element].plane.map_or_else(curved, |plane| plane.normal)
     }
 
     /// An estimate of the irradiance (W m⁻²) per band where a ray ends, so far from where it began.
@@ -388,7 +348,7 @@ impl<'a> RayGather<'a> {
         distance: f64,
         end_light: EndLight,
     ) -> Vec<f64> {
-        let mut irradiance = vec![0.0; self.solution.bands().len()];
+        let mut irradiance = vec![0.0; self.rays.solution.bands().len()];
         match end_light {
             EndLight::Polynomials => self.add_held(element, place, &mut irradiance),
             EndLight::Direct { chance, small } => {
@@ -399,18 +359,7 @@ impl<'a> RayGather<'a> {
                     self.add_direct(&there(), chance, &mut irradiance);
                 }
             }
-            EndLight::Gathered(chance) => {
-                self.add_estimate(
-                    &there(),
-                    &Draws::of(chance),
-                    chance,
-                    EndLight::Polynomials,
-                    &mut irradiance,
-                );
-            }
-            EndLight::Walked { draws, chance, weight } => {
-                self.add_walk(&there(), &draws, chance, weight, &mut irradiance);
-            }
+            EndLight::Gathered(chance) => self.add_estimate(&there(), chance, &mut irradiance),
         }
         irradiance
     }
@@ -419,69 +368,44 @@ impl<'a> RayGather<'a> {
     /// emitter or smaller than a square of this width. Never among luminaires: before one of them light
     /// peaks, which no polynomial follows.
     fn is_rough(&self, element: usize, there: &ReceiverPoint, width: f64) -> bool {
-        let is_held =
-            is_small(&self.solution.elements().list()[element], width) || self.lamps.is_near(there, NEAR);
-        is_held && self.points.is_empty()
+        let is_held = is_small(&self.rays.solution.elements().list()[element], width)
+            || self.rays.lamps.is_near(there, NEAR);
+        is_held && self.rays.points.is_empty()
     }
 
     /// Adds the polynomials E_h ≥ 0 of all light.
     fn add_held(&self, element: usize, place: &SurfacePlace, irradiance: &mut [f64]) {
         let mut held = vec![0.0; irradiance.len()];
-        self.solution.irradiance_bands(element, place, &mut held);
+        self.rays.solution.irradiance_bands(element, place, &mut held);
         irradiance.iter_mut().zip(held).for_each(|(sum, held)| *sum += held.max(0.0));
     }
 
     /// Adds `factor` times the polynomials S_h ≥ 0 of reflected light.
     fn add_reflected(&self, element: usize, place: &SurfacePlace, factor: f64, irradiance: &mut [f64]) {
         let mut held = vec![0.0; irradiance.len()];
-        self.solution.indirect_bands(element, place, &mut held);
+        self.rays.solution.indirect_bands(element, place, &mut held);
         irradiance.iter_mut().zip(held).for_each(|(sum, held)| *sum += factor * held.max(0.0));
     }
 
     /// Adds an estimate of the direct light by one ray to an emitter, and one to a luminaire.
     fn add_direct(&self, receiver: &ReceiverPoint, chance: u64, irradiance: &mut [f64]) {
         self.add_point(receiver, chance, irradiance);
-        let shares = self.lamps.seen_from(receiver);
+        let shares = self.rays.lamps.seen_from(receiver);
         if !shares.is_empty() {
             let target = shares.target(shift(chance));
             self.add_lamp(receiver, &target, RayMix { cosine: 0.0, to_lamps: 1.0 }, 1.0, irradiance);
         }
     }
 
-    /// Adds an estimate of the irradiance by a walk whose share of what is read is `weight`, if it goes on.
-    fn add_walk(
-        &self,
-        there: &ReceiverPoint,
-        draws: &Draws,
-        chance: u64,
-        weight: f64,
-        irradiance: &mut [f64],
-    ) {
-        let goes_on = (GOING_ON * weight).min(LIKELIEST);
-        if draws.dice < goes_on {
-            let next = number_of([f64::from_bits(chance), 3.0]);
-            let end_light =
-                EndLight::Walked { draws: Draws::of(next), chance: next, weight: weight / goes_on };
-            self.add_estimate(there, draws, chance, end_light, irradiance);
-            irradiance.iter_mut().for_each(|sum| *sum /= goes_on);
-        }
-    }
-
-    /// Adds an estimate of the irradiance by one ray of each kind; what the cosine-distributed one meets has
-    /// `end_light`.
-    fn add_estimate(
-        &self,
-        receiver: &ReceiverPoint,
-        draws: &Draws,
-        chance: u64,
-        end_light: EndLight,
-        irradiance: &mut [f64],
-    ) {
+    /// Adds an estimate of the irradiance by one ray of each kind that `chance` chooses; what the cosine-distributed
+    /// one meets has the light of the polynomials.
+    fn add_estimate(&self, receiver: &ReceiverPoint, chance: u64, irradiance: &mut [f64]) {
         self.add_point(receiver, chance, irradiance);
-        let shares = self.lamps.seen_from(receiver);
+        let shares = self.rays.lamps.seen_from(receiver);
+        let draws = Draws::of(chance);
         let direction = lambert(receiver.normal, draws.direction);
         let to_lamps = Some(ToLamps { shares: &shares, ratio: 1.0 });
-        self.add_met(receiver, direction, to_lamps, end_light, irradiance);
+        self.add_met(receiver, direction, to_lamps, EndLight::Polynomials, irradiance);
         if !shares.is_empty() {
             let mix = RayMix { cosine: 1.0, to_lamps: 1.0 };
             self.add_lamp(receiver, &shares.target(draws.target), mix, 1.0, irradiance);
@@ -491,14 +415,14 @@ impl<'a> RayGather<'a> {
     /// Adds an estimate of the light of the luminaires by one ray, to one of them.
     fn add_point(&self, receiver: &ReceiverPoint, chance: u64, irradiance: &mut [f64]) {
         let own = number_of([f64::from_bits(chance), 1.0]);
-        self.points.add_one(receiver, self.visibility, 1.0, own, irradiance);
+        self.rays.points.add_one(receiver, self.rays.visibility, 1.0, own, irradiance);
     }
 
     /// The light of the luminaires at a receiver that is a point.
     fn lit(&self, origin: &Receiver) -> Option<Vec<f64>> {
         let Receiver::Point(receiver) = origin else { return None };
         let mut lit = vec![0.0; self.scale.len()];
-        self.points.add(receiver, self.visibility, &mut lit);
+        self.rays.points.add(receiver, self.rays.visibility, &mut lit);
         Some(lit)
     }
 
@@ -521,7 +445,7 @@ impl<'a> RayGather<'a> {
         for index in rays {
             let (receiver, weight) = origin.at(shifted(kronecker::point(index), &[s, t]));
             let chance = number_of([f64::from_bits(number), index as f64, 1.0]);
-            self.points.add_one(&receiver, self.visibility, weight, chance, sums);
+            self.rays.points.add_one(&receiver, self.rays.visibility, weight, chance, sums);
         }
     }
 
@@ -545,17 +469,11 @@ impl<'a> RayGather<'a> {
 
     /// Adds `scale` times the light of one ray to an emitter.
     fn add_lamp(&self, receiver: &ReceiverPoint, target: &Target, mix: RayMix, scale: f64, sums: &mut [f64]) {
-        let WeightedNode { node, weight } = target.place;
-        let Some(kernel) = receiver.kernel_to(&node) else { return };
-        if !self.visibility.is_free(receiver.surface, receiver.position, node.position) {
-            return;
-        }
-        let share = scale * weight * kernel / (mix.cosine * kernel + mix.to_lamps * target.density);
-        let surface = self.solution.elements().list()[target.element].surface;
-        let into = (receiver.position - node.position).normalize_or_zero();
-        let share = share * self.radiances.relative(surface, into);
-        for (sum, band) in sums.iter_mut().zip(self.solution.bands()) {
-            *sum += share * band.coating.exitance[target.element];
+        let Some(lamp) = self.rays.shining(receiver, target) else { return };
+        let both = mix.cosine * lamp.kernel + mix.to_lamps * lamp.density;
+        let share = scale * lamp.relative * lamp.kernel / both;
+        for (sum, band) in sums.iter_mut().zip(self.rays.solution.bands()) {
+            *sum += share * band.coating.exitance[lamp.element];
         }
     }
 

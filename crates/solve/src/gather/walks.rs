@@ -20,7 +20,7 @@ use crate::solution::{Solution, SurfacePlace};
 
 /// Largest probability that a walk goes on: 20 steps in the mean, where surfaces reflect nearly all. What is
 /// beyond it weighs as much more.
-pub(super) const LIKELIEST: f64 = 0.95;
+const LIKELIEST: f64 = 0.95;
 
 /// Walks over the elements of a solution, with the reflectances of its bands.
 pub(crate) struct Walks<'a> {

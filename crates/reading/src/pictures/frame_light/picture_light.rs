@@ -69,7 +69,10 @@ impl<'a> PictureLight<'a> {
         let twice = read == ReadMode::GatherTwice;
         let rest = match read {
             ReadMode::Basis | ReadMode::Direct => None,
-            _ => Some(GatherMethod::Auto.gathering(solution, visibility, eps, AVERAGED, twice)),
+            _ => {
+                let auto = GatherMethod::Auto;
+                Some(auto.gathering(solution, visibility, eps, AVERAGED, f64::INFINITY, twice))
+            }
         };
         let emitters = solution.emitters();
         let direct = match read {

@@ -12,6 +12,7 @@ use radiosity_work::Work;
 use radiosity_work::ranks::PartName;
 
 use super::sensor::Sensor;
+use crate::gather::gather_method::SOME_POINTS;
 use crate::gather::surface_point::SurfacePoint;
 use crate::goal::{Aim, Goal};
 use crate::solved::Solved;
@@ -96,7 +97,7 @@ impl Judge {
         let solution = &run.outcome.solution;
         let usual = if run.outcome.sampling.is_some() { f64::INFINITY } else { USUAL_EPS };
         let eps = Goal::reading(goal.accuracy).min(usual);
-        let gathering = goal.by.gathering(solution, run.visibility(), eps, 1.0, false);
+        let gathering = goal.by.gathering(solution, run.visibility(), eps, 1.0, SOME_POINTS, false);
         let read = |place: usize| gathering.read(&self.sensors[place].point).irradiance;
         work.ranks.map_even(PartName::SensorLight, self.sensors.len(), 1, read)
     }

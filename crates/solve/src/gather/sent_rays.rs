@@ -1,0 +1,111 @@
+//! Rays from receivers to what they meet first, and to points on emitters: what every way of reading light by
+//! rays is made of.
+
+use std::f64::consts::PI;
+
+use radiosity_elements::measure::WeightedNode;
+use radiosity_geom::{COINCIDENT, DVec3};
+use radiosity_light::emitters::Radiances;
+use radiosity_light::lamps::{Lamps, Target};
+use radiosity_light::point_lights::PointLights;
+use radiosity_light::receiver_point::ReceiverPoint;
+use radiosity_visibility::Visibility;
+
+use crate::gather::walks::front_met;
+use crate::solution::{Solution, SurfacePlace};
+
+/// A scene with the light that its surfaces emit, as rays ask for it.
+#[derive(Debug)]
+pub(super) struct SentRays<'a> {
+    pub(super) solution: &'a Solution,
+    pub(super) visibility: &'a Visibility,
+    pub(super) lamps: Lamps,
+    pub(super) points: &'a PointLights,
+    radiances: &'a Radiances,
+    /// Distance of surfaces that cover each other (scene length).
+    touching: f64,
+}
+
+/// Where a ray meets the front of a surface.
+pub(super) struct Met {
+    pub(super) element: usize,
+    pub(super) place: SurfacePlace,
+    /// Unit normal of the front.
+    pub(super) normal: DVec3,
+    /// Distance from where it began.
+    pub(super) distance: f64,
+    /// Direction of the ray.
+    direction: DVec3,
+}
+
+/// Light of an emitter along a ray that reaches it.
+pub(super) struct Shining {
+    pub(super) element: usize,
+    /// Kernel κ(x, y) between both ends (1 / scene length²).
+    pub(super) kernel: f64,
+    /// Radiance over that of a diffuse emitter, times the weight of the point.
+    pub(super) relative: f64,
+    /// Density of such points on the emitter (1 / scene length²).
+    pub(super) density: f64,
+}
+
+impl Met {
+    /// Kernel κ(x, y) from the receiver, where the ray began, to where it ended (1 / scene length²).
+    pub(super) fn kernel(&self, receiver: &ReceiverPoint) -> f64 {
+        let cosines = receiver.normal.dot(self.direction) * -self.normal.dot(self.direction);
+        cosines / (PI * self.distance * self.distance)
+    }
+
+    /// The front as a receiver.
+    pub(super) fn there(&self) -> ReceiverPoint {
+        ReceiverPoint::on(self.place.surface, self.place.position, self.normal)
+    }
+
+    /// The other side as a receiver, which lies at this place.
+    pub(super) fn beyond(&self, place: &SurfacePlace) -> ReceiverPoint {
+        ReceiverPoint::on(place.surface, self.place.position, -self.normal)
+    }
+}
+
+impl<'a> SentRays<'a> {
+    /// Rays among the surfaces of `solution`, whose mean radiosity per band is `scale` (W m⁻²).
+    pub(super) fn new(solution: &'a Solution, visibility: &'a Visibility, scale: &[f64]) -> Self {
+        let lamps = Lamps::new(solution.elements().list(), &solution.coatings(), scale);
+        let touching = COINCIDENT * visibility.bounds().diagonal();
+        let (radiances, points) = (solution.emitters().radiances, solution.emitters().points);
+        Self { solution: solution.sent(), visibility, lamps, points, radiances, touching }
+    }
+
+    /// The front that a ray meets first; None where that is covered by another surface, and the ray does not
+    /// come from it: what is covered shines only on what covers it.
+    pub(super) fn met(&self, receiver: &ReceiverPoint, direction: DVec3) -> Option<Met> {
+        let (surface, hit) = front_met(self.visibility, receiver, direction)?;
+        let elements = self.solution.elements();
+        let element = elements.at(surface, [hit.u, hit.v])?;
+        let own = &elements.list()[element];
+        let is_hidden = own.contact.is_some() && hit.t > self.touching;
+        let position = receiver.position + hit.t * direction;
+        let place = SurfacePlace { surface, parameters: [hit.u, hit.v], position };
+        let curved = || elements.shape(surface).jet(hit.u, hit.v).normal;
+        let normal = own.plane.map_or_else(curved, |plane| plane.normal);
+        (!is_hidden).then_some(Met { element, place, normal, distance: hit.t, direction })
+    }
+
+    /// Radiance over that of a diffuse emitter of what a ray met, against the ray.
+    pub(super) fn relative(&self, met: &Met) -> f64 {
+        self.radiances.relative(met.place.surface, -met.direction)
+    }
+
+    /// The light of a point of an emitter at a receiver, by a ray; None where nothing arrives.
+    pub(super) fn shining(&self, receiver: &ReceiverPoint, target: &Target) -> Option<Shining> {
+        let WeightedNode { node, weight } = target.place;
+        let kernel = receiver.kernel_to(&node)?;
+        if !self.visibility.is_free(receiver.surface, receiver.position, node.position) {
+            return None;
+        }
+        let surface = self.solution.elements().list()[target.element].surface;
+        let into = (receiver.position - node.position).normalize_or_zero();
+        let relative = weight * self.radiances.relative(surface, into);
+        Some(Shining { element: target.element, kernel, relative, density: target.density })
+    }
+}
