@@ -4,6 +4,7 @@ use pyo3::prelude::*;
 use radiosity::audit::{Checked, Referee};
 use radiosity::reading::judging::JudgedRun;
 use radiosity::reading::quality::ReadSettings;
+use radiosity::reading::reader::ReadMode;
 use radiosity::reading::report::underestimated;
 use radiosity::request::CheckRequest;
 use radiosity::solve::solved::Solved;
@@ -28,9 +29,9 @@ pub(crate) fn json(checked: Option<&Checked>) -> Option<String> {
     })
 }
 
-/// Warns where light is off by more than its method tells.
-pub(crate) fn warn_of(py: Python<'_>, checked: Option<&Checked>) -> PyResult<()> {
-    match checked.and_then(underestimated) {
+/// Warns where light that was read from `read` is off by more than its method tells.
+pub(crate) fn warn_of(py: Python<'_>, checked: Option<&Checked>, read: ReadMode) -> PyResult<()> {
+    match checked.and_then(|checked| underestimated(checked, read)) {
         Some(warning) => warn(py, &warning.message),
         None => Ok(()),
     }

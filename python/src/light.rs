@@ -108,7 +108,7 @@ impl Light {
             Trouble::new(format!("points[{index}]: {fault}"), cure)
         })?;
         warn_of_rays(py, told.readings.iter().map(|reading| reading.deviation), asked.how.eps)?;
-        checked::warn_of(py, told.checked.as_ref())?;
+        checked::warn_of(py, told.checked.as_ref(), asked.how.read)?;
         Ok(told)
     }
 
@@ -278,7 +278,7 @@ impl Light {
         let told =
             self.read(py, observer.as_ref(), asked.threads, |progress| self.cells(&asked, sides, progress))?;
         warn_of_rays(py, told.readings.iter().map(|cell| cell.deviation), asked.how.eps)?;
-        checked::warn_of(py, told.checked.as_ref())?;
+        checked::warn_of(py, told.checked.as_ref(), asked.how.read)?;
         Ok(Grid::new(told, scene))
     }
 
@@ -293,7 +293,8 @@ impl Light {
         let shot = Shot::of(camera, given, self.found.scene(), &self.options, &self.method)?;
         let (raster, checked) =
             self.read(py, observer.as_ref(), shot.threads, |progress| self.shot(&shot, progress))?;
-        checked::warn_of(py, checked.as_ref())?;
+        let read = shot.read(self.found.solution(), self.found.visibility());
+        checked::warn_of(py, checked.as_ref(), read)?;
         let [width, height] = raster.size().map(|pixels| pixels as usize);
         let numbers = raster.pixels().flatten().copied().collect();
         Ok(array(py, &[height, width, self.found.scene().bands.len()], numbers))

@@ -113,7 +113,7 @@ impl Solution {
             let judge = || checked::of_solution(check, solved, *is_saved, &settings, &work);
             in_threads(solved.options.threads, judge)
         })?;
-        checked::warn_of(py, found.as_ref())?;
+        checked::warn_of(py, found.as_ref(), settings.read)?;
         Ok(self.checked.get_or_init(|| found).as_ref())
     }
 }
@@ -134,7 +134,8 @@ impl Solution {
         let told = self.told.get_or_init(|| {
             let mut report = self.report.clone();
             report.compare_joints(&self.solved);
-            checked.cloned().into_iter().for_each(|checked| report.add_checked(checked));
+            let read = ReadRequest::of_written(&self.method, &self.solved, self.is_saved).read;
+            checked.cloned().into_iter().for_each(|checked| report.add_checked(checked, read));
             serde_json::to_string(&report).expect("a report is plain data")
         });
         Ok(told)

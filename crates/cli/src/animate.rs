@@ -348,7 +348,7 @@ pub(crate) fn run(args: &AnimateArgs, loaded: Loaded, ranks: &Ranks) -> Result<(
         made += 1;
         asked.in_threads(ranks, || shutter.record(number, &frame, is_first, is_there, ranks))??;
     }
-    let Shutter { film, readings, found, .. } = shutter;
+    let Shutter { film, readings, found, read, .. } = shutter;
     film.map_or(Ok(()), FrameFiles::finish)?;
     let read_error = readings.as_ref().and_then(Readings::error);
     readings.map_or(Ok(()), |readings| readings.write(&scene.bands, judged, found.as_ref(), ranks))?;
@@ -359,7 +359,9 @@ pub(crate) fn run(args: &AnimateArgs, loaded: Loaded, ranks: &Ranks) -> Result<(
         lines.extend(RanksWork::so_far(ranks, asked.threads).map(|work| work.to_string()));
         lines.extend(read_error.map(|error| error.to_string()));
         lines.extend(checked.as_ref().map(|checked| format!("frame {judged} {checked}")));
-        lines.extend(checked.as_ref().and_then(underestimated).map(|warning| warning.to_string()));
+        let read = read.unwrap_or(ReadMode::Gather);
+        let warning = checked.as_ref().and_then(|checked| underestimated(checked, read));
+        lines.extend(warning.map(|warning| warning.to_string()));
         console::tell(&lines, ranks);
     }
     match checked {

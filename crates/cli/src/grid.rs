@@ -82,7 +82,7 @@ pub(crate) fn run(args: &GridArgs, loaded: Loaded, ranks: &Ranks) -> Result<(), 
     let estimates = cells.iter().map(|cell| own.of_reading(&cell.irradiance, cell.deviation));
     let errors = CheckedReadings::all_told(checked.as_ref(), estimates);
     data.write(&scene.bands, "cells", &table(scene, &cells, &errors))?;
-    run.add_checked(checked.map(|own| own.checked));
+    run.add_checked(checked.map(|own| own.checked), reading.read);
     run.take_error_of_walks(cells.iter().map(|cell| (&cell.irradiance[..], cell.deviation)));
     run.add_read_error(ReadError::of(cells.iter().map(|cell| cell.deviation)), reading.eps);
     run.finish(data.written())

@@ -157,7 +157,7 @@ pub(crate) fn run(
         PlaneFigures::of(on.plane, &scene.bands, on.items).erring(errors)
     });
     let figures = figures.collect();
-    run.add_checked(checked.map(|own| own.checked));
+    run.add_checked(checked.map(|own| own.checked), reading.read);
     run.take_error_of_walks(readings.iter().map(|reading| (&reading.irradiance[..], reading.deviation)));
     run.add_read_error(ReadError::of(readings.iter().map(|reading| reading.deviation)), reading.eps);
     run.add_planes(figures);

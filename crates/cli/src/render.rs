@@ -168,7 +168,7 @@ impl RenderArgs {
         let pixels = PrintedPixels::of(&shot.raster, camera, scene, run.solved.visibility(), own);
         let seconds = run.seconds_to_read(&settings, pixels.gathered_points());
         let checked = run.check(pixels.count(), |number| pixels.reading(number), seconds)?;
-        run.add_checked(checked.map(|own| own.checked));
+        run.add_checked(checked.map(|own| own.checked), settings.read);
         Ok(())
     }
 

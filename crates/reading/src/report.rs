@@ -17,6 +17,7 @@ pub use crate::masked_surfaces::MaskedSurfaces;
 use crate::plane_figures::PlaneFigures;
 use crate::rank_work::{RanksWork, peak_bytes};
 use crate::read_error::ReadError;
+use crate::reader::ReadMode;
 pub use crate::warning::Warning;
 pub use warnings::underestimated;
 use warnings::{missed_accuracy, warnings};
@@ -240,9 +241,10 @@ impl Report {
         self.read_error = error;
     }
 
-    /// Adds what a referee says of what was printed, with a warning where that is more than the method tells.
-    pub fn add_checked(&mut self, checked: Checked) {
-        self.warnings.extend(underestimated(&checked));
+    /// Adds what a referee says of light that was read from `read` and printed, with a warning where that is more than
+    /// the method tells.
+    pub fn add_checked(&mut self, checked: Checked, read: ReadMode) {
+        self.warnings.extend(underestimated(&checked, read));
         self.checked = Some(checked);
     }
 

@@ -113,7 +113,7 @@ impl<'a> ReportLight<'a> {
         let figures = figures.collect();
         let deviations = sensed.iter().map(|reading| reading.deviation);
         let error = ReadError::of(deviations.chain(cells.iter().map(|cell| cell.deviation)));
-        run.add_checked(checked.map(|own| own.checked));
+        run.add_checked(checked.map(|own| own.checked), reading.read);
         run.add_read_error(error, reading.eps);
         run.add_planes(figures);
         Ok((run, ReadLight { reading, picture, sensed, surfaces }))

@@ -4,6 +4,7 @@ use radiosity_audit::{Checked, Referee};
 use radiosity_reading::checked_readings::{CheckEffort, CheckedReadings, PrintedReading};
 use radiosity_reading::judging::JudgedRun;
 use radiosity_reading::quality::ReadSettings;
+use radiosity_reading::reader::ReadMode;
 use radiosity_reading::run_cost::seconds_to_read;
 
 use super::Run;
@@ -31,14 +32,14 @@ impl Run {
         let referee = || Referee::of_light(&self.solved.scene);
         let judge = || JudgedRun::of_all_light(&self.solved, settings, &referee(), &effort, &self.work());
         let judged = self.in_threads(judge)?;
-        self.add_checked((!judged.readings.is_empty()).then_some(judged.checked));
+        self.add_checked((!judged.readings.is_empty()).then_some(judged.checked), settings.read);
         Ok(())
     }
 
-    /// Adds what a check found to the summary and the report.
-    pub(crate) fn add_checked(&mut self, checked: Option<Checked>) {
+    /// Adds what a check of light that was read from `read` found to the summary and the report.
+    pub(crate) fn add_checked(&mut self, checked: Option<Checked>, read: ReadMode) {
         if let Some(checked) = checked {
-            self.report.add_checked(checked);
+            self.report.add_checked(checked, read);
         }
     }
 

@@ -13,6 +13,7 @@ use radiosity_work::digits::significant;
 use radiosity_work::wording::{Wording, option, set, words};
 
 use crate::accuracy_warning::missed;
+use crate::reader::ReadMode;
 
 use crate::warning::Warning;
 
@@ -35,13 +36,19 @@ pub(super) fn warnings(solved: &Solved) -> Vec<Warning> {
         .collect()
 }
 
-/// A warning where a referee found more than the method's own estimates tell, with the names of the places.
-pub fn underestimated(checked: &Checked) -> Option<Warning> {
+/// A warning where a referee found more of light that was read from `read` than the method's own estimates tell, with
+/// the names of the places.
+pub fn underestimated(checked: &Checked, read: ReadMode) -> Option<Warning> {
+    let of_polynomials = match read {
+        ReadMode::Basis => words(" with ") + set("for", "solution"),
+        ReadMode::Direct | ReadMode::Gather | ReadMode::GatherTwice => words(""),
+    };
     let message = |finding: &str| {
         let own = significant(100.0 * checked.own_error, 2);
         words(format!(
             "the method tells an error of {own} %, and path tracing finds more: {finding}; ask for an "
         )) + option("accuracy")
+            + of_polynomials.clone()
             + ", or a smaller "
             + option("eps")
     };
