@@ -8,10 +8,10 @@
 //!
 //! In order: an even choice ([`evenly`]), draws (`random`, `lattice`), bands that walk together (`spectrum`),
 //! points spread over surfaces (`spread`), what rays meet (`rays`), what surfaces send (`skin`, `groups`, `lamps`,
-//! `suns`, `sheets`), walks (`walk`), what is read (`spot`, `sample`), how much of it (`walk_cost`, `effort`), the [`Referee`] of
-//! light, those of heat ([`HeatReferee`]) and of view factors ([`ViewFactorReferee`]), what is by chance (`chance`),
-//! means of signed differences ([`SignedMean`]), the [`Verdict`] on printed numbers, the second look at what stands
-//! out (`second_look`), and what it makes of the errors that a run tells ([`Checked`]).
+//! `suns`, `sheets`), walks (`walk`), what is read (`spot`, `sample`), how much of it (`walk_cost`, `effort`), the
+//! [`Referee`] of light, those of heat ([`HeatReferee`]) and of view factors ([`ViewFactorReferee`]), what is by
+//! chance (`chance`), means of signed differences ([`SignedMean`]), the [`Verdict`] on printed numbers, the second
+//! look at what stands out (`second_look`), and what it makes of the errors that a run tells ([`Checked`]).
 //!
 //! Imports `geom`, `work` and `scene`.
 

@@ -2,10 +2,10 @@
 //!
 //! A few walks in a thousand may carry most of the light: where none of them was drawn, a mean is too low and
 //! its error too small, and a right reading stands out. If a first verdict finds more than the run tells, the
-//! readings that make it do so, at most a quarter of all, are estimated again by four times as many walks with other
-//! draws: that takes as long as the first look. If these readings by themselves are found to be off again, the first verdict stands: it is of all
-//! readings, none of them chosen. If not, it was chance: their new estimates take the place of the first, and the
-//! verdict is made anew.
+//! readings that make it do so, at most a quarter of all, are estimated again by four times as many walks with
+//! other draws: that takes as long as the first look. If these readings by themselves are found to be off again,
+//! the first verdict stands: it is of all readings, none of them chosen. If not, it was chance: their new
+//! estimates take the place of the first, and the verdict is made anew.
 
 use radiosity_work::Work;
 
