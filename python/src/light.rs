@@ -11,7 +11,7 @@ use radiosity::reading::pictures::raster::Raster;
 use radiosity::reading::probe::{Probe, ProbeFault, ProbeReading, probe};
 use radiosity::reading::quality::ReadSettings;
 use radiosity::reading::read_error::ReadError;
-use radiosity::reading::reader::Reader;
+use radiosity::reading::reader::{ReadMode, Reader};
 use radiosity::request::cells::require_cells;
 use radiosity::request::{CheckRequest, MethodRequest, ReadRequest, ranges};
 use radiosity::solve::gather::read_irradiance::Deviation;
@@ -164,9 +164,8 @@ impl Light {
     }
 
     /// A picture, and what a referee found of its pixels where that was asked for.
-    fn shot(&self, shot: &Shot, progress: &Progress) -> (Raster, Option<Checked>) {
+    fn shot(&self, shot: &Shot, read: ReadMode, progress: &Progress) -> (Raster, Option<Checked>) {
         let (light, visibility) = (self.found.solution(), self.found.visibility());
-        let read = shot.read(light, visibility);
         let raster = shot.take(read, light, visibility, progress);
         if shot.check.audit.is_none() {
             return (raster, None);
@@ -291,9 +290,9 @@ impl Light {
         observer: Option<Bound<'_, PyAny>>,
     ) -> PyResult<Bound<'py, PyArrayDyn<f64>>> {
         let shot = Shot::of(camera, given, self.found.scene(), &self.options, &self.method)?;
-        let (raster, checked) =
-            self.read(py, observer.as_ref(), shot.threads, |progress| self.shot(&shot, progress))?;
         let read = shot.read(self.found.solution(), self.found.visibility());
+        let (raster, checked) =
+            self.read(py, observer.as_ref(), shot.threads, |progress| self.shot(&shot, read, progress))?;
         checked::warn_of(py, checked.as_ref(), read)?;
         let [width, height] = raster.size().map(|pixels| pixels as usize);
         let numbers = raster.pixels().flatten().copied().collect();

@@ -12,6 +12,7 @@ use std::{
     time::{Duration, SystemTime},
 };
 
+use crate::floor;
 use crate::program::{done, refused};
 
 const ROOM: &str = r#"
@@ -66,20 +67,8 @@ fn lux_over_time_is_that_of_the_frames_alone() {
     assert!(!folder.join("room-0000.png").exists());
 }
 
-/// A lamp of the intensity 100 that moves by 0.9 along x, a metre above a floor.
-const FLOOR: &str = r#"
-frames = 4
-bands = ["lm"]
-materials.grey = { reflectance = 0.5 }
-[[surfaces]]
-name = "floor"
-material = "grey"
-parallelogram = { origin = [-1, -1, 0], edge1 = [2, 0, 0], edge2 = [0, 2, 0] }
-[[luminaires]]
-name = "lamp"
-position = [0, 0, 1]
-point = {}
-intensity = 100
+/// The lamp above that floor moves by 0.9 along x.
+const MOTION: &str = r#"
 [[motion]]
 luminaires = "lamp"
 translate = { points = [[0, 0, 0], [0.9, 0, 0]] }
@@ -91,7 +80,8 @@ translate = { points = [[0, 0, 0], [0.9, 0, 0]] }
 fn readings_of_a_checked_frame_err_by_what_was_found() {
     let points: String =
         (0..12).map(|k| format!("{},{},0,0,0,1\n", -0.95 + 0.15 * f64::from(k), 0.3)).collect();
-    let folder = folder(&[("floor.toml", FLOOR.to_owned()), ("points.csv", points)]);
+    let floor = format!("frames = 4\n{}{MOTION}", floor::BELOW_A_LAMP);
+    let folder = folder(&[("floor.toml", floor), ("points.csv", points)]);
     let args = ["animate", "floor.toml", "--animation", "fresh", "--order", "0", "--read", "basis"];
     let [table, told] = done(folder.path(), &[&args[..], &["--probe", "points.csv"]].concat());
     let before = told.split(" checked at 12 readings").next().expect("a line");

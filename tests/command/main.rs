@@ -11,6 +11,7 @@ mod builtin;
 mod checkpoint;
 mod exact_factors;
 mod fitted;
+mod floor;
 mod formats;
 mod frames;
 mod glb;

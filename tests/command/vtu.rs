@@ -10,6 +10,7 @@ use base64::engine::general_purpose::STANDARD;
 use radiosity_test_support::data::number;
 use radiosity_test_support::folders::{folder, json};
 
+use crate::floor;
 use crate::program::{done, refused};
 
 /// A grid as the format's specification says how to read it.
@@ -198,21 +199,6 @@ fn what_is_no_polynomial_or_no_solution_is_refused() {
     assert!(!path.join("room.vtu").exists(), "nothing is half-written");
 }
 
-/// A floor below a lamp of the intensity 100: by the inverse square E = 100 / (1 + x² + y²)^{3/2}.
-const FLOOR: &str = r#"
-bands = ["lm"]
-materials.grey = { reflectance = 0.5 }
-[[surfaces]]
-name = "floor"
-material = "grey"
-parallelogram = { origin = [-1, -1, 0], edge1 = [2, 0, 0], edge2 = [0, 2, 0] }
-[[luminaires]]
-position = [0, 0, 1]
-point = {}
-intensity = 100
-group = "lamps"
-"#;
-
 /// The relative error in the L2 mean of the mean of the light on that floor, by the midpoint rule.
 fn error_of_the_mean() -> f64 {
     const SIDE: usize = 400;
@@ -230,7 +216,7 @@ fn error_of_the_mean() -> f64 {
 /// light is gathered, which is exact there, unless its polynomials are to be accurate.
 #[test]
 fn a_check_is_of_what_is_written() {
-    let folder = folder(&[("floor.toml", FLOOR)]);
+    let folder = folder(&[("floor.toml", floor::BELOW_A_LAMP)]);
     let folder = folder.path();
     let error = |args: &[&str]| {
         done(folder, &[args, &["--report", "r.json", "-q"]].concat());

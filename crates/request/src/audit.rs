@@ -79,9 +79,9 @@ impl CheckRequest {
         if other_physics(options).is_some() || scene.require_light().is_err() {
             return None;
         }
-        let (seconds, cost) = (self.seconds(run), WalkCost::of_light(scene));
-        let readings = Effort::readings(seconds, Self::READINGS.min(count), &cost);
-        let effort = Effort::of_seconds(seconds, readings, &cost).seeded(OF_CHECKS);
+        let cost = WalkCost::of_light(scene);
+        let readings = Effort::readings(self.seconds(run), Self::READINGS.min(count), &cost);
+        let effort = self.effort(run, readings, &cost);
         (readings > 0).then_some(CheckEffort { readings, effort, seed: 0 })
     }
 
@@ -113,10 +113,14 @@ impl CheckRequest {
         if shadows == Shadows::Off {
             return Ok(());
         }
-        let (seconds, cost) = (self.seconds(heat.outcome.seconds_by_counts()), WalkCost::of_heat(scene));
-        let surfaces = heat.to_check(scene, Effort::readings(seconds, Self::READINGS, &cost));
-        let effort = Effort::of_seconds(seconds, surfaces.len(), &cost).seeded(OF_CHECKS);
-        heat.check(scene, &surfaces, &effort, work)
+        let (run, cost) = (heat.outcome.seconds_by_counts(), WalkCost::of_heat(scene));
+        let surfaces = heat.to_check(scene, Effort::readings(self.seconds(run), Self::READINGS, &cost));
+        heat.check(scene, &surfaces, &self.effort(run, surfaces.len(), &cost), work)
+    }
+
+    /// Walks for each of so many readings, of this cost, beside a run of about so many seconds.
+    fn effort(&self, run: f64, readings: usize, cost: &WalkCost) -> Effort {
+        Effort::of_seconds(self.seconds(run), readings, cost).seeded(OF_CHECKS)
     }
 
     /// Seconds of the check beside a run of about so many.
@@ -134,8 +138,7 @@ impl CheckRequest {
         scene: &Scene,
     ) -> Option<Effort> {
         let rows = surfaces.min(CheckedFactors::ROWS);
-        let cost = WalkCost::of_view_factors(scene);
-        let effort = || Effort::of_seconds(self.seconds(factors.forecast()), rows, &cost).seeded(OF_CHECKS);
+        let effort = || self.effort(factors.forecast(), rows, &WalkCost::of_view_factors(scene));
         let pays = !factors.are_exact() || self.audit.is_some();
         (options.shadows != Shadows::Off && pays).then(effort)
     }

@@ -39,20 +39,18 @@ pub(super) fn warnings(solved: &Solved) -> Vec<Warning> {
 /// A warning where a referee found more of light that was read from `read` than the method's own estimates tell, with
 /// the names of the places.
 pub fn underestimated(checked: &Checked, read: ReadMode) -> Option<Warning> {
-    let of_polynomials = match read {
-        ReadMode::Basis => words(" with ") + set("for", "solution"),
-        ReadMode::Direct | ReadMode::Gather | ReadMode::GatherTwice => words(""),
-    };
-    let message = |finding: &str| {
-        let own = significant(100.0 * checked.own_error, 2);
-        words(format!(
-            "the method tells an error of {own} %, and path tracing finds more: {finding}; ask for an "
-        )) + option("accuracy")
-            + of_polynomials.clone()
-            + ", or a smaller "
-            + option("eps")
-    };
-    checked.finding().map(|finding| Warning::general("error-underestimated", message(finding)))
+    let own = significant(100.0 * checked.own_error, 2);
+    let finding = checked.finding()?;
+    let message = words(format!(
+        "the method tells an error of {own} %, and path tracing finds more: {finding}; ask for an "
+    )) + option("accuracy")
+        + match read {
+            ReadMode::Basis => words(" with ") + set("for", "solution"),
+            ReadMode::Direct | ReadMode::Gather | ReadMode::GatherTwice => words(""),
+        }
+        + ", or a smaller "
+        + option("eps");
+    Some(Warning::general("error-underestimated", message))
 }
 
 /// Faults that an inspection finds in a scene that loses power, or elements of which send more than they

@@ -91,7 +91,7 @@ impl GatherMethod {
         let by_rays = |beyond| Gathering::Rays(RayGather::new(solution, visibility, rougher * eps, beyond));
         match twice {
             _ if self == Self::Walks => by_rays(Beyond::Walked),
-            _ if self.rays(solution, visibility, [eps, rougher * eps], points, twice) => {
+            _ if self.rays(solution, visibility, eps, rougher * eps, points, twice) => {
                 by_rays(if twice { Beyond::Gathered } else { Beyond::Polynomials })
             }
             true => Gathering::Cells(Gather::twice(solution, visibility, eps)),
@@ -99,12 +99,13 @@ impl GatherMethod {
         }
     }
 
-    /// Whether rays gather light to the second relative accuracy, where cells would to the first.
+    /// Whether rays gather light to the relative accuracy `by_rays`, where cells would to `by_cells`.
     fn rays(
         self,
         solution: &Solution,
         visibility: &Visibility,
-        [by_cells, by_rays]: [f64; 2],
+        by_cells: f64,
+        by_rays: f64,
         points: f64,
         twice: bool,
     ) -> bool {
@@ -135,7 +136,7 @@ impl GatherMethod {
         if self == Self::Walks {
             return points * WALK * usual_walks(eps);
         }
-        if self.rays(solution, visibility, [eps; 2], together, twice) {
+        if self.rays(solution, visibility, eps, eps, together, twice) {
             return points * seconds_of_rays(solution, eps, twice);
         }
         let cells = CellPrice::of(solution, visibility, eps, twice);

@@ -127,6 +127,14 @@ struct Estimate {
     missed: f64,
 }
 
+/// Where a cosine-distributed ray starts.
+struct Start {
+    receiver: ReceiverPoint,
+    /// Weight of its light in that of the whole receiver.
+    weight: f64,
+    direction: DVec3,
+}
+
 /// Rays of either kind that the balance heuristic combines, per cosine-distributed ray.
 #[derive(Clone, Copy)]
 struct RayMix {
@@ -235,17 +243,8 @@ impl<'a> RayGather<'a> {
         let offset: [f64; 4] = shift(number);
         let mut radiosity = vec![0.0; sums.len()];
         for index in rays {
-            let (place, direction) = match origin {
-                Receiver::Point(_) => {
-                    let [a, b, ..] = offset;
-                    ([0.5; 2], shifted(kronecker::point(index), &[a, b]))
-                }
-                Receiver::Patch(..) => {
-                    let [s, t, polar, turn] = shifted(kronecker::point(index), &offset);
-                    ([s, t], [polar, turn])
-                }
-            };
-            let (receiver, weight) = origin.at(place);
+            let Start { receiver, weight, direction } =
+                start(origin, index, &offset, || shifted(kronecker::point(index), &[offset[0], offset[1]]));
             radiosity.fill(0.0);
             check_interrupt_at(index);
             let chance = number_of([f64::from_bits(number), index as f64]);
@@ -254,7 +253,6 @@ impl<'a> RayGather<'a> {
                 (Beyond::Polynomials, Some(_)) => EndLight::Direct { chance, small: SMALL },
                 (Beyond::Polynomials, None) => EndLight::Direct { chance, small: SMALL_BEHIND_PIXELS },
             };
-            let direction = lambert(receiver.normal, direction);
             let to_lamps = shares.map(|shares| ToLamps { shares, ratio: TO_LAMPS });
             self.add_met(&receiver, direction, to_lamps, end_light, &mut radiosity);
             sums.iter_mut().zip(&radiosity).for_each(|(sum, radiosity)| *sum += weight * radiosity);
@@ -278,15 +276,8 @@ impl<'a> RayGather<'a> {
                 return;
             }
             let [a, b, polar, turn, choice, s, t, dice] = shifted(kronecker::point(index), &further);
-            let (place, direction) = match origin {
-                Receiver::Point(_) => ([0.5; 2], [a, b]),
-                Receiver::Patch(..) => {
-                    let [s, t, polar, turn] = shifted(kronecker::point(index), &offset);
-                    ([s, t], [polar, turn])
-                }
-            };
-            let (receiver, weight) = origin.at(place);
-            let Some(met) = self.rays.met(&receiver, lambert(receiver.normal, direction)) else { continue };
+            let Start { receiver, weight, direction } = start(origin, index, &offset, || [a, b]);
+            let Some(met) = self.rays.met(&receiver, direction) else { continue };
             let to_lamps = shares.map(|shares| ToLamps { shares, ratio: TO_LAMPS });
             let share = weight * self.exitance_left(&receiver, &met, to_lamps);
             for (sum, band) in scores.sums.iter_mut().zip(self.rays.solution.bands()) {
@@ -503,6 +494,20 @@ impl<'a> RayGather<'a> {
         found.missed = (found.missed / bands as f64).sqrt();
         found
     }
+}
+
+/// The start of a ray of this index: over a patch its place and its direction come from one sequence in four
+/// dimensions with the shifts `offset`, at a point the numbers `turned` give the direction.
+fn start(origin: &Receiver, index: u64, offset: &[f64; 4], turned: impl FnOnce() -> [f64; 2]) -> Start {
+    let (place, direction) = match origin {
+        Receiver::Point(_) => ([0.5; 2], turned()),
+        Receiver::Patch(..) => {
+            let [s, t, polar, turn] = shifted(kronecker::point(index), offset);
+            ([s, t], [polar, turn])
+        }
+    };
+    let (receiver, weight) = origin.at(place);
+    Start { receiver, weight, direction: lambert(receiver.normal, direction) }
 }
 
 /// Shifts of a sequence in eight dimensions.
