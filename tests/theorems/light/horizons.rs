@@ -203,7 +203,7 @@ fn clipped(polygon: &[V], x: V, inward: V) -> Vec<V> {
     kept
 }
 
-/// What is integrated over a part of the window.
+/// The integrand over a part of the window.
 #[derive(Clone, Copy)]
 struct Piece<'a> {
     x: V,
