@@ -15,6 +15,7 @@ mod footprints;
 mod gather;
 mod groups;
 mod hard_cases;
+mod horizons;
 mod lightmaps;
 mod luminaires;
 mod luminous_areas;

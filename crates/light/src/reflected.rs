@@ -99,8 +99,7 @@ impl<'a> Reflection<'a> {
         self.irradiance_within(self.eps, receiver, occluders, other)
     }
 
-    /// Irradiance (W m⁻²) per band as of [`Self::irradiance`], to another relative accuracy `eps`, which is
-    /// no smaller than its own.
+    /// Irradiance (W m⁻²) per band as of [`Self::irradiance`], to another relative accuracy `eps`.
     pub fn irradiance_within(
         &self,
         eps: f64,
@@ -111,10 +110,11 @@ impl<'a> Reflection<'a> {
         self.sum(&self.parts(eps, receiver, occluders, other))
     }
 
-    /// Irradiance (W m⁻²) as of [`Self::irradiance`], apart by the coats of the reflecting elements: all
+    /// Irradiance (W m⁻²) as of [`Self::irradiance_within`], apart by the coats of the reflecting elements: all
     /// bands of one coat after those of another.
     pub(crate) fn irradiance_by_coat(
         &self,
+        eps: f64,
         receiver: &ReceiverPoint,
         occluders: &Occluders,
         other: &[f64],
@@ -122,7 +122,7 @@ impl<'a> Reflection<'a> {
     ) -> Vec<f64> {
         let bands = self.scale.len();
         let mut sums = vec![0.0; coats.count() * bands];
-        let parts = self.parts(self.eps, receiver, occluders, other);
+        let parts = self.parts(eps, receiver, occluders, other);
         for (part, element) in parts.chunks_exact(bands).zip(&self.elements) {
             let own = &mut sums[bands * coats.of_element(*element)..][..bands];
             own.iter_mut().zip(part).for_each(|(sum, part)| *sum += part);

@@ -12,10 +12,10 @@ use std::sync::OnceLock;
 
 use radiosity_elements::patch::{Direction, Node, Patch};
 use radiosity_elements::rule::UnitRule;
-use radiosity_geom::{COINCIDENT, DVec3, Plane, Rect};
+use radiosity_geom::{COINCIDENT, DVec3, Plane, Rect, clip_polygon};
 use radiosity_scene::Radiance;
 use radiosity_visibility::shadow_volume::Quad;
-use smallvec::SmallVec;
+use smallvec::{SmallVec, smallvec};
 
 use crate::tolerances::{COSINE_OF_FLAT, LONG_CELL};
 
@@ -179,10 +179,30 @@ impl Cell {
         let least = if radiance.bends() { BENT } else { 0.0 };
         cell.detail = bend * (bend / mean.max(f64::MIN_POSITIVE)).clamp(least, 1.0) / scale;
         let into: SmallVec<[DVec3; 8]> = self.hull.iter().map(|y| point - y).collect();
-        let left_out = radiance.left_out(&into, scale * cell.spread) / scale;
+        let left_out = radiance.left_out(&into) / scale;
         cell.detail += left_out;
         cell.brightness = cell.brightness.max(left_out);
+        let is_even = cell.values.iter().all(|value| *value == towards(self.center));
+        if is_even && left_out == 0.0 {
+            (cell.spread, cell.detail) = (0.0, 0.0);
+        }
         cell
+    }
+
+    /// The cells that cover the part of a flat cell, of even exitance 1 in one channel of the scale `scale`, on
+    /// the inner sides of planes through `point`.
+    pub(crate) fn part(&self, point: DVec3, inward: &[DVec3], scale: &[f64]) -> SmallVec<[Self; 2]> {
+        let polygon =
+            inward.iter().fold(self.patch.polygon(), |part, normal| clip_polygon(&part, point, *normal));
+        let patches = Patch::of_polygon(&polygon, self.nodes[0].normal);
+        let cell = |patch| Self::bare(patch).with_values(smallvec![1.0; POINTS], scale);
+        patches.into_iter().map(cell).collect()
+    }
+
+    /// Whether a plane through `point` passes between points of its hull.
+    pub(crate) fn is_crossed(&self, point: DVec3, normal: DVec3) -> bool {
+        let heights = || self.hull.iter().map(|y| (*y - point).dot(normal));
+        heights().any(|height| height > 0.0) && heights().any(|height| height < 0.0)
     }
 
     /// Value of a channel at a Gauss point.

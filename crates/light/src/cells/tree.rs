@@ -19,7 +19,7 @@
 
 use radiosity_elements::Element;
 use radiosity_elements::patch::Node;
-use radiosity_geom::{Aabb, Plane};
+use radiosity_geom::{Aabb, DVec3, Plane};
 use radiosity_scene::Radiance;
 use radiosity_work::interruption::check_interrupt;
 use smallvec::smallvec;
@@ -83,6 +83,28 @@ impl Tree {
     /// The tree of an element that spreads its light so, if it is no diffuse emitter.
     pub(crate) fn spread(self, radiance: Option<Radiance>) -> Self {
         Self { radiance, ..self }
+    }
+
+    /// The zenith of the sky behind it, if it is an opening.
+    pub(crate) fn zenith(&self) -> Option<DVec3> {
+        self.radiance.as_ref()?.zenith()
+    }
+
+    /// The radiance of an opening to a sky; None of other emitters.
+    pub(crate) fn opening(&self) -> Option<&Radiance> {
+        self.radiance.as_ref().filter(|own| own.zenith().is_some())
+    }
+
+    /// Whether, from one of `points` or a point between them, the horizon may cross the element, behind which
+    /// a jumps there.
+    pub(crate) fn meets_horizon(&self, points: &[DVec3]) -> bool {
+        let Some(zenith) = self.zenith() else { return false };
+        let heights = |some: &[DVec3]| {
+            let heights = some.iter().map(|x| x.dot(zenith));
+            heights.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), h| (low.min(h), high.max(h)))
+        };
+        let ((own_low, own_high), (low, high)) = (heights(&self.bounds.corners()), heights(points));
+        low < own_high && high > own_low
     }
 
     /// The element as a sender of light, for lists of occluders.
