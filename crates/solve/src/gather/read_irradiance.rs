@@ -20,6 +20,14 @@ pub struct Deviation {
     pub is_dark: bool,
 }
 
+impl ReadIrradiance {
+    /// The irradiance with this part of the light `other` (W m⁻² per band), as well known as the rest.
+    pub fn with_part(mut self, part: f64, other: &[f64]) -> Self {
+        self.irradiance.iter_mut().zip(other).for_each(|(sum, other)| *sum += part * other);
+        self
+    }
+}
+
 impl From<Vec<f64>> for ReadIrradiance {
     fn from(irradiance: Vec<f64>) -> Self {
         Self { irradiance, deviation: None }

@@ -13,6 +13,7 @@ use radiosity_geom::DVec3;
 use radiosity_light::receiver_point::ReceiverPoint;
 use radiosity_visibility::Visibility;
 
+use crate::gather::standpoint::Standpoint;
 use crate::gather::surface_point::SurfacePoint;
 use crate::solution::{Band, Solution, SurfacePlace};
 
@@ -64,10 +65,9 @@ impl Sensor {
             _ => 1.0,
         };
         let sensor = |[position, normal]: [DVec3; 2]| {
-            let point = SurfacePoint::find(solution.elements(), visibility, position, normal);
-            let weights = solution.bands().iter().map(|band| weight(point.as_ref(), band)).collect();
-            let free = || ReceiverPoint::free(position, normal);
-            Self { point: point.map_or_else(free, |point| point.receiver_point(normal)), weights }
+            let standpoint = Standpoint::find(solution.elements(), visibility, position, normal);
+            let weights = solution.bands().iter().map(|band| weight(standpoint.on(), band)).collect();
+            Self { point: standpoint.receiver_point(normal), weights }
         };
         some(goal.points.len(), MOST).map(|index| sensor(goal.points[index])).collect()
     }
