@@ -26,4 +26,5 @@ mod shapes;
 mod skies;
 mod slits;
 mod split;
+mod stacks;
 mod tables;

@@ -148,7 +148,7 @@ fn read(reader: &Reader, probe: &Probe, middle: DVec3) -> Result<ProbeValues, Pr
         Some(point) if reader.gathers() && point.normal.dot(normal) < EQUAL_NORMAL => {
             let on = on(reader, point, &along_surface(point).irradiance);
             let above = reader.gathered(&point.receiver_point(normal)).ok_or(ProbeFault::Tilted)?;
-            (above.with_part(point.seen_of_itself(normal), &on.radiosity), Some(on))
+            (above.with(&point.own_light(reader.solution(), normal, &on.radiosity)), Some(on))
         }
         Some(point) if point.normal.dot(normal) < SAME_NORMAL => return Err(ProbeFault::Tilted),
         Some(point) => {

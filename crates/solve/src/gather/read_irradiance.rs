@@ -21,9 +21,9 @@ pub struct Deviation {
 }
 
 impl ReadIrradiance {
-    /// The irradiance with this part of the light `other` (W m⁻² per band), as well known as the rest.
-    pub fn with_part(mut self, part: f64, other: &[f64]) -> Self {
-        self.irradiance.iter_mut().zip(other).for_each(|(sum, other)| *sum += part * other);
+    /// The irradiance with `other` light (W m⁻² per band), as well known as the rest.
+    pub fn with(mut self, other: &[f64]) -> Self {
+        self.irradiance.iter_mut().zip(other).for_each(|(sum, other)| *sum += other);
         self
     }
 }

@@ -12,15 +12,15 @@
 //! where h is the height along the normal of the face that the sensor looks away from. Of fronts in one plane the
 //! smallest counts: it was laid on the others. The point is moved onto that face, and aside from what touches it
 //! there ([`SurfacePoint`]): coordinates that are typed are rounded. Where the uppermost is a back, of a face of
-//! one side, the sensor stands just before it in the open; where it looks along all faces that it touches, as on
-//! the edge of a sheet, a little before the point.
+//! one side, the sensor stands just before it in the open. Where it looks along all faces that it touches, it stands
+//! on the first of them that reaches on before it, and else, as on the edge of a sheet, a little before the point.
 //!
 //! A sensor that is tilted against its face sees what it would see just above it: nothing through the face, but
 //! the face itself, below the horizon of which it has the part (1 − cos θ)/2 of its hemisphere. So what is read
 //! does not change from the face to small heights over it.
 
 use radiosity_elements::Elements;
-use radiosity_geom::{Aabb, DVec3, touching};
+use radiosity_geom::{Aabb, DVec3, Jet, Surface, touching};
 use radiosity_light::receiver_point::ReceiverPoint;
 use radiosity_visibility::Visibility;
 
@@ -56,7 +56,10 @@ impl Standpoint {
         }
         let size = touched.iter().map(|face| face.extent).fold(diagonal, f64::min);
         let Some(stack) = Stack::under(&touched, x, n) else {
-            return Self::Open(ReceiverPoint::free(x + INWARDS * size * n, n));
+            let before = x + INWARDS * size * n;
+            let within = touched.iter().find(|face| face.reaches(elements, before, 0.5 * INWARDS * size, n));
+            let point = within.and_then(|face| face.point(elements, &touched, diagonal));
+            return point.map_or(Self::Open(ReceiverPoint::free(before, n)), Self::On);
         };
         stack.point(elements, diagonal).map_or_else(
             || {
@@ -102,6 +105,20 @@ impl Touched {
     fn height(&self, x: DVec3, up: DVec3) -> f64 {
         (self.foot - x).dot(up)
     }
+
+    /// Whether the foot of `x` is no farther than `step` behind it, along the unit vector `n`.
+    fn reaches(&self, elements: &Elements, x: DVec3, step: f64, n: DVec3) -> bool {
+        let (_, foot) = foot(elements.shape(self.surface), x);
+        (foot.position - x).dot(n) > -step
+    }
+
+    /// The point of the surface, aside from what else is touched but lies in no plane with it, in a scene of this
+    /// diagonal.
+    fn point(&self, elements: &Elements, touched: &[Self], diagonal: f64) -> Option<SurfacePoint> {
+        let beside = touched.iter().filter(|face| face.normal.dot(self.normal).abs() < ALIKE);
+        let away = beside.map(|face| face.normal.reject_from(self.normal).normalize_or_zero()).sum();
+        SurfacePoint::within(elements, self.surface, self.parameters, INWARDS * diagonal, away)
+    }
 }
 
 /// The faces that a point touches.
@@ -110,20 +127,19 @@ fn touched(elements: &Elements, visibility: &Visibility, x: DVec3) -> Vec<Touche
     let face = |surface: usize| {
         let shape = elements.shape(surface);
         let extent = extent(shape);
-        let foot = shape.project(shape.region().map_or(x, |region| region.nearest(x)));
-        let jet = shape.jet(foot.u, foot.v);
+        let (parameters, jet) = foot(shape, x);
         let is_near = jet.position.distance(x) <= tolerance.min(OF_ITS_OWN * extent);
-        let face = || Touched {
-            surface,
-            parameters: [foot.u, foot.v],
-            foot: jet.position,
-            normal: jet.normal,
-            extent,
-        };
+        let face = || Touched { surface, parameters, foot: jet.position, normal: jet.normal, extent };
         is_near.then(face)
     };
     let around = Aabb { min: x, max: x }.inflate(tolerance);
     visibility.near(&around).into_iter().filter_map(face).collect()
+}
+
+/// The point of a surface that is nearest to `x`, and its parameters.
+fn foot(shape: &dyn Surface, x: DVec3) -> ([f64; 2], Jet) {
+    let foot = shape.project(shape.region().map_or(x, |region| region.nearest(x)));
+    ([foot.u, foot.v], shape.jet(foot.u, foot.v))
 }
 
 /// Faces on each other.
@@ -164,11 +180,7 @@ impl<'a> Stack<'a> {
         };
         let area = |face: &Touched| elements.shape(face.surface).area();
         let smaller = |a: &&&Touched, b: &&&Touched| area(a).total_cmp(&area(b));
-        let Touched { surface, parameters, normal, .. } =
-            **self.faces.iter().filter(is_front).min_by(smaller)?;
-        let beside = self.touched.iter().filter(|face| face.normal.dot(self.up).abs() < ALIKE);
-        let away = beside.map(|face| face.normal.reject_from(normal).normalize_or_zero()).sum();
-        SurfacePoint::within(elements, surface, parameters, INWARDS * diagonal, away)
+        self.faces.iter().filter(is_front).min_by(smaller)?.point(elements, self.touched, diagonal)
     }
 }
 

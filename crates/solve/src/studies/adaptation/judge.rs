@@ -104,8 +104,8 @@ impl Judge {
             match ground.map(|_| tilted()) {
                 Some(Standpoint::On(point)) => {
                     let of = |band| solution.radiosity(band, point.element, &point.place);
-                    let own: Vec<f64> = (0..solution.bands().len()).map(of).collect();
-                    read.with_part(point.seen_of_itself(normal), &own).irradiance
+                    let radiosity: Vec<f64> = (0..solution.bands().len()).map(of).collect();
+                    read.with(&point.own_light(solution, normal, &radiosity)).irradiance
                 }
                 _ => read.irradiance,
             }
