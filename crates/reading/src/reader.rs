@@ -1,10 +1,17 @@
 //! Readers: the sources of values at points and means over cells.
+//!
+//! In a narrow gap under a sheet the light of what is met is that of the gap itself, of which polynomials on elements
+//! that reach out of it know nothing: there light is gathered by walks, which need none.
 
-use radiosity_geom::DVec3;
+use std::sync::OnceLock;
+
+use radiosity_geom::{DVec3, Rect};
 use radiosity_light::direct::DirectLight;
 use radiosity_light::receiver_point::ReceiverPoint;
 use radiosity_solve::gather::gather_method::{GatherMethod, Gathering};
+use radiosity_solve::gather::ray_gather::{Beyond, RayGather};
 use radiosity_solve::gather::read_irradiance::ReadIrradiance;
+use radiosity_solve::gather::receiver::Receiver;
 use radiosity_solve::solution::{Solution, SurfacePlace};
 use radiosity_visibility::Visibility;
 use serde::Deserialize;
@@ -24,12 +31,23 @@ pub enum ReadMode {
     GatherTwice,
 }
 
+/// Height of a gap over the diagonals of both surfaces up to which it is narrow: then about its square of the light
+/// outside comes to its middle. Chosen.
+const NARROW: f64 = 0.03;
+
+/// Finest accuracy that is asked of walks there, relative to the light of the whole scene where less arrives. Chosen:
+/// a point takes a second at the most.
+const IN_GAPS: f64 = 5e-3;
+
 /// A solution with the light that is recomputed from it.
 #[derive(Debug)]
 pub struct Reader<'a> {
     solution: &'a Solution,
     visibility: &'a Visibility,
     light: RecomputedLight<'a>,
+    eps: f64,
+    /// Light in narrow gaps; made when first needed.
+    in_gaps: OnceLock<RayGather<'a>>,
 }
 
 /// The light that a [`Reader`] recomputes.
@@ -67,7 +85,7 @@ impl<'a> Reader<'a> {
                 RecomputedLight::Gathered(by.gathering(solution, visibility, eps, 1.0, twice))
             }
         };
-        Self { solution, visibility, light }
+        Self { solution, visibility, light, eps, in_gaps: OnceLock::new() }
     }
 
     /// The solution that is read.
@@ -112,7 +130,7 @@ impl<'a> Reader<'a> {
                 lit.iter().zip(rest).map(|(d, s)| d + s).collect::<Vec<f64>>().into()
             }
             RecomputedLight::Gathered(light) => {
-                light.read(&ReceiverPoint::on(place.surface, place.position, normal))
+                self.read(light, &ReceiverPoint::on(place.surface, place.position, normal))
             }
         }
     }
@@ -130,7 +148,32 @@ impl<'a> Reader<'a> {
     pub fn gathered(&self, receiver: &ReceiverPoint) -> Option<ReadIrradiance> {
         match &self.light {
             RecomputedLight::Basis | RecomputedLight::Direct(_) => None,
-            RecomputedLight::Gathered(light) => Some(light.read(receiver)),
+            RecomputedLight::Gathered(light) => Some(self.read(light, receiver)),
         }
+    }
+    /// The light of a point, `light` where it lies in no narrow gap.
+    fn read(&self, light: &Gathering, receiver: &ReceiverPoint) -> ReadIrradiance {
+        if !self.is_in_gap(receiver) {
+            return light.read(receiver);
+        }
+        let walks = || RayGather::new(self.solution, self.visibility, self.eps.max(IN_GAPS), Beyond::Walked);
+        self.in_gaps.get_or_init(walks).read(&Receiver::Point(*receiver))
+    }
+
+    /// Whether a point of a surface lies in a narrow gap under another one, where walks tell its light.
+    fn is_in_gap(&self, receiver: &ReceiverPoint) -> bool {
+        let up = receiver.ground.unwrap_or(receiver.normal);
+        let met = receiver
+            .surface
+            .filter(|_| self.visibility.casts() && self.solution.masked().is_none())
+            .and_then(|surface| {
+                let met = self.visibility.nearest_from(surface, receiver.position, up)?;
+                Some((surface, met))
+            });
+        met.is_some_and(|(surface, met)| {
+            let extent =
+                |surface: usize| self.solution.elements().shape(surface).bounds(&Rect::FULL).diagonal();
+            met.surface != surface && met.hit.t <= NARROW * extent(surface).min(extent(met.surface))
+        })
     }
 }

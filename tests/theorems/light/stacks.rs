@@ -218,16 +218,34 @@ impl Stack {
     }
 }
 
+/// An uppermost face: its number, if its front is.
+#[derive(Clone, Copy, Debug)]
+struct Named(Option<usize>);
+
+/// Height between faces that are read into one plane, or set apart (scene length).
+const ONE: f64 = 1e-7;
+
+impl Stack {
+    /// Ways to read it: by cells what is bounded by straight lines, as anything else takes them seconds.
+    fn methods(&self) -> &'static [GatherMethod] {
+        let is_round = |face: &Face| matches!(face.outline, Outline::Disk(..) | Outline::Bent(..));
+        let is_straight = !self.faces.iter().any(is_round);
+        if is_straight { &[GatherMethod::Cells, GatherMethod::Rays] } else { &[GatherMethod::Rays] }
+    }
+}
+
 /// A sensor on a stack.
 #[derive(Clone, Debug)]
 struct Sensor {
     on: Probe,
     /// Over that, in the open.
     above: Probe,
+    /// Whether it is tilted against its face: from above it sees that by polynomials that know no edges of covers.
+    is_tilted: bool,
     /// Irradiance; None where the stack is bent towards the sensor.
     exact: Option<f64>,
-    /// The face that it belongs to, if a front is uppermost.
-    face: Option<usize>,
+    /// The face that it belongs to, if that is plain.
+    face: Option<Named>,
 }
 
 impl Stack {
@@ -243,25 +261,25 @@ impl Stack {
         let height = |k: &usize| side * self.faces[*k].height;
         let top = covering.clone().max_by(|a, b| height(a).total_cmp(&height(b)))?;
         let height = self.faces[top].height;
-        let fronts = covering.filter(|k| {
-            let Face { height: own, is_up, is_two_sided, .. } = self.faces[*k];
-            own == height && (is_two_sided || is_up == (side > 0.0))
-        });
-        let fronts: Vec<usize> = fronts.collect();
+        let is_alone = covering.clone().all(|k| k == top || (self.faces[k].height - height).abs() > ONE);
+        let is_front = self.faces[top].is_two_sided || self.faces[top].is_up == (side > 0.0);
         let [position, up] = self.place(self.is_bent(), at, height);
         let up = side * up;
         let any = random.unit();
-        let tilt = random.pick(&[0.0, 0.0, any, 1.3]);
+        // Over a bent face more is seen than on it; of faces in one plane it is not plain which is seen.
+        let is_level = self.is_bent() || !is_alone;
+        let tilt = if is_level { 0.0 } else { random.pick(&[0.0, 0.0, any, 1.3]) };
         let aside = random.direction().reject_from(up).normalize();
         let normal = (tilt.cos() * up + tilt.sin() * aside).normalize();
         let above = position + ABOVE * up;
-        let own = if fronts.is_empty() { 0.0 } else { GREY * over(position, up, up) };
+        let own = if is_front { GREY * over(position, up, up) } else { 0.0 };
         let exact = over(position, normal, up) + 0.5 * (1.0 - up.dot(normal)) * own;
         Some(Sensor {
             on: Probe { position, normal },
             above: Probe { position: above, normal },
+            is_tilted: tilt > 0.0,
             exact: (side > 0.0 || !self.is_bent()).then_some(exact),
-            face: if let [only] = fronts[..] { Some(only) } else { None },
+            face: is_alone.then_some(Named(is_front.then_some(top))),
         })
     }
 }
@@ -300,23 +318,24 @@ fn read(seed: u64, stacks: usize) -> (usize, usize, Vec<String>) {
             (0..10 * SENSORS).filter_map(|_| stack.sensor(&mut random)).take(SENSORS).collect();
         let Some(scene) = stack.scene() else { continue };
         let middle = scene.middle;
-        let solved = solved_of(scene, Options { order: 1, ..Options::default() });
+        let solved = solved_of(scene, Options::default());
         let probes: Vec<Probe> = sensors.iter().flat_map(|sensor| [sensor.on, sensor.above]).collect();
         built += 1;
-        for by in [GatherMethod::Cells, GatherMethod::Rays] {
-            let reader = Reader::by(by, &solved.outcome.solution, solved.visibility(), ReadMode::Gather, EPS);
+        for by in stack.methods() {
+            let reader =
+                Reader::by(*by, &solved.outcome.solution, solved.visibility(), ReadMode::Gather, EPS);
             let readings = probe(&reader, &probes, middle, &Work::alone()).expect("all light is gathered");
             for (sensor, readings) in sensors.iter().zip(readings.chunks(2)) {
                 count += 1;
                 let [on, above] = [&readings[0], &readings[1]].map(|reading| reading.irradiance[0]);
                 let name = readings[0].on.as_ref().map(|on| solved.scene.surfaces[on.surface].name.clone());
                 let is_near = |right: f64| (on - right).abs() <= SHARE * right;
-                let is_face = |name: &str| {
-                    let own = |k| [format!("face {k}"), format!("face {k}:back")].contains(&name.to_owned());
-                    sensor.face.is_none_or(own)
+                let is_face = |face: usize| {
+                    let names = [format!("face {face}"), format!("face {face}:back")];
+                    name.as_ref().is_some_and(|name| names.contains(name))
                 };
-                let is_named = name.as_deref().map_or(sensor.face.is_none(), is_face);
-                if !is_near(above) || !sensor.exact.is_none_or(is_near) || !is_named {
+                let is_named = sensor.face.is_none_or(|Named(face)| face.map_or(name.is_none(), is_face));
+                if !(sensor.is_tilted || is_near(above)) || !sensor.exact.is_none_or(is_near) || !is_named {
                     off.push(format!(
                         "stack {number} {by:?}: {on} for {above}, {:?}, on {name:?} for {:?}\n{:?}\n{:?}",
                         sensor.exact, sensor.face, sensor.on, stack.faces
@@ -332,16 +351,78 @@ fn assert_right(seed: u64, stacks: usize) {
     let (built, count, off) = read(seed, stacks);
     println!("{count} readings on {built} of {stacks} stacks, {} off", off.len());
     off.iter().for_each(|line| println!("{line}"));
-    assert!(off.is_empty() && 10 * built > 9 * stacks && count > 5 * stacks, "{} of {count}", off.len());
+    assert!(off.is_empty() && 10 * built > 9 * stacks && count > 4 * stacks, "{} of {count}", off.len());
 }
 
 #[test]
 fn sensors_on_stacks_belong_to_the_uppermost_face() {
-    assert_right(1, 60);
+    assert_right(1, 24);
 }
 
 #[test]
 #[ignore = "takes minutes"]
 fn sensors_on_a_thousand_stacks_belong_to_the_uppermost_face() {
     assert_right(2, 1000);
+}
+
+/// Irradiance in a furnace whose walls reflect a half and emit 1.
+const FURNACE: f64 = 2.0;
+
+#[test]
+fn mats_in_the_plane_of_a_floor_reflect_in_any_order() {
+    let sides = [DVec3::X, DVec3::Y, DVec3::Z].map(|axis| 2.0 * axis.dot(HALF) * axis);
+    let wall = |k: usize| {
+        let mut sides = sides;
+        sides.rotate_left(k / 2);
+        let [out, first, second] = sides;
+        if k % 2 == 0 {
+            Parallelogram::new(-HALF, first, second)
+        } else {
+            Parallelogram::new(out - HALF, second, first)
+        }
+    };
+    let middle = DVec3::new(0.1, -0.2, -HALF.z);
+    let mat = |side: f64| {
+        Parallelogram::new(middle - 0.5 * side * (DVec3::X + DVec3::Y), side * DVec3::X, side * DVec3::Y)
+    };
+    // A large mat under a small one.
+    let shapes = || (0..6).map(wall).chain([mat(1.2), mat(0.7)]).map(|shape| shape.expect("a rectangle"));
+    for order in [
+        [0, 1, 2, 3, 4, 5, 6, 7],
+        [7, 6, 5, 4, 3, 2, 1, 0],
+        [6, 0, 1, 2, 3, 4, 5, 7],
+        [7, 0, 1, 2, 3, 4, 5, 6],
+    ] {
+        let mut scene = SceneBuilder::new("mats", ["grey"]);
+        let grey = scene.material("grey", material(0.5, 1.0));
+        for place in order {
+            let shape = shapes().nth(place).expect("eight shapes");
+            scene.surface(format!("surface {place}"), shape, &grey);
+        }
+        let scene = scene.build().expect("a room");
+        let (middle_of_scene, solved) = (scene.middle, solved_of(scene, Options::default()));
+        let places = [middle, middle + DVec3::new(0.5, 0.0, 0.0), middle + DVec3::new(0.9, 0.0, 0.0)];
+        let probes: Vec<Probe> = places
+            .iter()
+            .flat_map(|place| [(*place, DVec3::Z), (*place + 0.1 * DVec3::Z, -DVec3::Z)])
+            .map(|(position, normal)| Probe { position, normal })
+            .collect();
+        for by in [GatherMethod::Cells, GatherMethod::Rays] {
+            let reader = Reader::by(by, &solved.outcome.solution, solved.visibility(), ReadMode::Gather, EPS);
+            let readings =
+                probe(&reader, &probes, middle_of_scene, &Work::alone()).expect("all light is gathered");
+            for (reading, surface) in readings.iter().step_by(2).zip([7, 6, 4]) {
+                let on = reading.on.as_ref().expect("a face");
+                assert_eq!(solved.scene.surfaces[on.surface].name, format!("surface {surface}"), "{order:?}");
+            }
+            for reading in &readings {
+                let read = reading.irradiance[0];
+                assert!(
+                    (read / FURNACE - 1.0).abs() < 0.01,
+                    "{order:?} {by:?}: {read} at {:?}",
+                    reading.probe
+                );
+            }
+        }
+    }
 }
