@@ -157,7 +157,10 @@ impl<'a> Reader<'a> {
             return light.read(receiver);
         }
         let walks = || RayGather::new(self.solution, self.visibility, self.eps.max(IN_GAPS), Beyond::Walked);
-        self.in_gaps.get_or_init(walks).read(&Receiver::Point(*receiver))
+        let ReadIrradiance { irradiance, deviation } =
+            self.in_gaps.get_or_init(walks).read(&Receiver::Point(*receiver));
+        // What is dark beside the scene is as well known as was asked, whatever its relative error.
+        ReadIrradiance { irradiance, deviation: deviation.filter(|deviation| !deviation.is_dark) }
     }
 
     /// Whether a point of a surface lies in a narrow gap under another one, where walks tell its light.

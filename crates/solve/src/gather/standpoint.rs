@@ -26,8 +26,8 @@ use radiosity_visibility::Visibility;
 
 use crate::gather::surface_point::{INWARDS, OF_ITS_OWN, ON_SURFACE, SurfacePoint, extent};
 
-/// Part of a face's diagonal up to which it lies on another one so that a sensor between both belongs to it: some
-/// sixteen roundings of single precision. With a larger value sensors under a sheet would get the light above it.
+/// Part of a face's diagonal up to which a sensor on another one belongs to it: some sixteen roundings of single
+/// precision, as a referee has it. With a larger value sensors under a sheet would get the light above it.
 const NO_GAP: f64 = 1e-6;
 
 /// Least cosine between the normals of faces of one stack (0.8°): bent ones are met beside their foot.
@@ -146,7 +146,7 @@ fn foot(shape: &dyn Surface, x: DVec3) -> ([f64; 2], Jet) {
 struct Stack<'a> {
     /// All faces that the point touches.
     touched: &'a [Touched],
-    /// Those of the stack.
+    /// The faces of the stack.
     faces: Vec<&'a Touched>,
     /// Unit normal of the side that the sensor looks to.
     up: DVec3,
@@ -164,7 +164,7 @@ impl<'a> Stack<'a> {
         let base = alike().min_by(nearer)?;
         let lies_on = |face: &&Touched| {
             let gap = (face.foot - base.foot).dot(up).abs();
-            gap <= NO_GAP * face.extent.min(base.extent)
+            gap <= NO_GAP * face.extent
         };
         let faces: Vec<&Touched> = alike().filter(lies_on).collect();
         let lower = |a: &&&Touched, b: &&&Touched| a.height(x, up).total_cmp(&b.height(x, up));
