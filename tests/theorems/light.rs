@@ -27,4 +27,5 @@ mod shapes;
 mod skies;
 mod slits;
 mod split;
+mod stacks;
 mod tables;
