@@ -23,6 +23,7 @@ mod luminous_lines;
 mod masks;
 mod models;
 mod occlusion;
+mod reflected_steps;
 mod shapes;
 mod skies;
 mod slits;

@@ -197,10 +197,10 @@ impl CoatedBounce {
         eps: f64,
         ranks: &Ranks,
     ) -> Self {
-        let Emitters { elements, ref coatings, .. } = *sources;
+        let Emitters { elements, ref coatings, points, .. } = *sources;
         let bands = coatings.len();
         let scale = scales(elements, coatings, &d);
-        let reflection = Reflection::new(elements, coatings, visibility, lit, scale, eps);
+        let reflection = Reflection::new(elements, coatings, visibility, lit, points, scale, eps);
         let coats = Coats::of(coatings, apart);
         let eps = if sources.are_directed() { REFLECTED * eps } else { eps };
         let light = DirectReflection { lit, reflection, coats: &coats, eps };

@@ -15,9 +15,10 @@ use radiosity_elements::patch::Node;
 use radiosity_visibility::Visibility;
 use rayon::prelude::*;
 
-use crate::cells::tree::Tree;
+use crate::cells::tree::{Steps, Tree};
 use crate::coats::Coats;
 use crate::occluders::{Occluders, Site};
+use crate::point_lights::PointLights;
 use crate::receiver_point::ReceiverPoint;
 use crate::traversal::Traversal;
 
@@ -52,16 +53,23 @@ pub struct Reflection<'a> {
 }
 
 impl<'a> Reflection<'a> {
-    /// The light that `elements`, with one coating per band, reflect under the irradiance `lit`, to be
-    /// gathered to about the relative accuracy `eps`. `scale` > 0 is the mean radiosity per band.
+    /// The light that `elements`, with one coating per band, reflect under the irradiance `lit`, to which
+    /// `points` belong, to be gathered to about the relative accuracy `eps`. `scale` > 0 is the mean radiosity
+    /// per band.
     pub fn new(
         elements: &[Element],
         coatings: &[&Coating],
         visibility: &'a Visibility,
         lit: IrradianceAt<'_>,
+        points: &PointLights,
         scale: Vec<f64>,
         eps: f64,
     ) -> Self {
+        let steps = match points.is_empty() {
+            true => Steps::Nowhere,
+            false if points.have_beams() => Steps::Beams,
+            false => Steps::Shadows,
+        };
         let reflects = |i: &usize| coatings.iter().any(|coating| coating.scatters(*i));
         let reflecting: Vec<usize> = (0..elements.len()).filter(reflects).collect();
         let tree = |element: &usize| {
@@ -77,7 +85,7 @@ impl<'a> Reflection<'a> {
                     *out += coating.transmittance(*element) * lit;
                 }
             };
-            Tree::new(&elements[*element], &scale, eps, &field)
+            Tree::new(&elements[*element], &scale, steps, eps, &field)
         };
         let trees = reflecting.par_iter().with_max_len(1).map(tree).collect();
         Self { visibility, trees, elements: reflecting, scale, eps }

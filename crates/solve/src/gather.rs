@@ -63,7 +63,8 @@ impl<'a> Gather<'a> {
             lit
         };
         let scale = solution.mean_radiosity();
-        let reflection = Reflection::new(list, &coatings, visibility, &lit, scale, eps);
+        let points = solution.emitters().points;
+        let reflection = Reflection::new(list, &coatings, visibility, &lit, points, scale, eps);
         Self { direct, reflection }
     }
 
@@ -84,7 +85,8 @@ impl<'a> Gather<'a> {
             lit.iter().zip(indirect).map(|(d, s)| d + s).collect()
         };
         let scale = solution.mean_radiosity();
-        let reflection = Reflection::new(list, &coatings, visibility, &lit, scale, eps);
+        let points = solution.emitters().points;
+        let reflection = Reflection::new(list, &coatings, visibility, &lit, points, scale, eps);
         Self { direct, reflection }
     }
 
