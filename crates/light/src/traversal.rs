@@ -194,17 +194,16 @@ impl<'a> Traversal<'a> {
     /// The parts of a cell of an opening with sky behind them and with ground behind them, above the horizon of
     /// the receiver; None where no horizon crosses it.
     fn at_horizons(&self, tree: &Tree, root: &Cell) -> Option<SmallVec<[Cell; 4]>> {
+        let zenith = tree.zenith()?;
         let ReceiverPoint { position, normal, ground, .. } = *self.receiver;
         let crosses = |horizon: &DVec3| root.is_crossed(position, *horizon);
         let own: SmallVec<[DVec3; 3]> =
             [Some(normal), ground].into_iter().flatten().filter(crosses).collect();
         let part = |further: &[DVec3]| root.part(position, &[&own, further].concat(), tree.scale());
-        match tree.zenith()? {
-            zenith if crosses(&zenith) => {
-                Some([zenith, -zenith].into_iter().flat_map(|side| part(&[side])).collect())
-            }
-            _ if own.is_empty() => None,
-            _ => Some(part(&[]).into_iter().collect()),
+        match crosses(&zenith) {
+            true => Some([zenith, -zenith].into_iter().flat_map(|side| part(&[side])).collect()),
+            false if own.is_empty() => None,
+            false => Some(part(&[]).into_iter().collect()),
         }
     }
 

@@ -356,7 +356,7 @@ fn assert_right(seed: u64, stacks: usize) {
 
 #[test]
 fn sensors_on_stacks_belong_to_the_uppermost_face() {
-    assert_right(1, 24);
+    assert_right(1, 12);
 }
 
 #[test]
