@@ -4,6 +4,8 @@
 //! E = ∫ L(ω) cos θ cos θ' / d² dA ,     L = E_h l(ω)/∫ l cos Z dω above the horizon, ρ_g E_h/π below it
 //! ```
 
+#![expect(clippy::print_stdout, reason = "how far readings are off is printed with --nocapture")]
+
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use radiosity::elements::rule::UnitRule;
@@ -173,13 +175,13 @@ impl Window {
                 clipped(&part, x, side * (middle - x).dot(side).signum())
             })
         });
-        let from = |part: &[V]| self.from_part(sky, part, x, n);
+        let from = |part: &[V]| self.of_part(sky, part, x, n);
         let ([sky, ground], [hidden, under]) = (from(&whole), from(&shadow));
         LEVEL * ((sky - hidden) / level + ground - under)
     }
 
     /// ∫ l and ∫ ρ_g/π, times cos θ cos θ' / d², over a convex part of the window.
-    fn from_part(&self, sky: &Sky, part: &[V], x: V, n: V) -> [f64; 2] {
+    fn of_part(&self, sky: &Sky, part: &[V], x: V, n: V) -> [f64; 2] {
         let above =
             Piece { x, n, front: self.normal(), sun: sky.sun(), radiance: &|from| sky.relative(from) };
         let below = Piece { sun: None, radiance: &|_| sky.ground / PI, ..above };

@@ -375,7 +375,7 @@ fn mats_in_the_plane_of_a_floor_reflect_in_any_order() {
         let mut sides = sides;
         sides.rotate_left(k / 2);
         let [out, first, second] = sides;
-        if k % 2 == 0 {
+        if k.is_multiple_of(2) {
             Parallelogram::new(-HALF, first, second)
         } else {
             Parallelogram::new(out - HALF, second, first)
