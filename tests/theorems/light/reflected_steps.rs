@@ -68,7 +68,7 @@ fn factor(corners: &[V], x: V, n: V) -> f64 {
     sides.map(side).sum::<f64>().abs() / TAU
 }
 
-/// Of sensors the largest error, over the greatest light.
+/// The largest relative error of some sensors.
 fn largest_error(found: &[f64], exact: &[f64]) -> f64 {
     let errors = found.iter().zip(exact).map(|(found, exact)| (found / exact - 1.0).abs());
     errors.fold(0.0, f64::max)
@@ -79,7 +79,7 @@ fn largest_error(found: &[f64], exact: &[f64]) -> f64 {
 fn the_patch_of_the_sun_is_cut_at_its_borders() {
     let random = &mut Random(5);
     let mut worst: f64 = 0.0;
-    for case in 0..24 {
+    for case in 0..15 {
         let [elevation, azimuth] = [random.between(25.0, 65.0), random.between(165.0, 195.0)];
         let [left, sill] = [random.between(0.3, 1.5), random.between(0.8, 1.2)];
         let [right, head] = [left + random.between(0.3, 2.0), sill + random.between(0.2, 1.2)];
@@ -104,9 +104,7 @@ fn the_patch_of_the_sun_is_cut_at_its_borders() {
         let found = gathered(&text, 1 + case % 3, &sensors);
         let exact: Vec<f64> =
             sensors.iter().map(|[x, n]| REFLECTANCE * 60000.0 * sine * factor(&corners, *x, *n)).collect();
-        let error = largest_error(&found, &exact);
-        println!("{case}: {error:.1e}");
-        worst = worst.max(error);
+        worst = worst.max(largest_error(&found, &exact));
     }
     assert!(worst < 1.2e-2, "{worst:e}");
 }
@@ -116,7 +114,7 @@ fn the_patch_of_the_sun_is_cut_at_its_borders() {
 fn the_disk_of_a_spot_is_cut_at_its_border() {
     let random = &mut Random(6);
     let mut worst: f64 = 0.0;
-    for case in 0..24 {
+    for case in 0..15 {
         let [angle, edge, height] = [random.between(10.0, 40.0), 1.0, random.between(1.5, 2.9)];
         let [inner, outer] = [-1.0, 1.0].map(|side| f64::to_radians(0.5 * (angle + side * edge)));
         let radius = height * outer.tan();
@@ -152,9 +150,7 @@ fn the_disk_of_a_spot_is_cut_at_its_border() {
         let sensors: Vec<[V; 2]> = (0..8).map(|_| sensor(random)).collect();
         let found = gathered(&text, 1 + case % 3, &sensors);
         let exact: Vec<f64> = sensors.iter().map(from).collect();
-        let error = largest_error(&found, &exact);
-        println!("{case}: {error:.1e}");
-        worst = worst.max(error);
+        worst = worst.max(largest_error(&found, &exact));
     }
     assert!(worst < 1.2e-2, "{worst:e}");
 }
