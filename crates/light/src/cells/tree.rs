@@ -130,8 +130,7 @@ impl Tree {
         self.radiance.as_ref().filter(|own| own.zenith().is_some())
     }
 
-    /// Whether, from one of `points` or a point between them, the horizon may cross the element, behind which
-    /// a jumps there.
+    /// Whether it is an opening in which one of `points`, or a point between them, may see the horizon.
     pub(crate) fn meets_horizon(&self, points: &[DVec3]) -> bool {
         let Some(zenith) = self.zenith() else { return false };
         let heights = |some: &[DVec3]| {
