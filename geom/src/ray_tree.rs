@@ -11,8 +11,8 @@
 //! surfaces at once, it meets those others there that it goes through from the front and that reach before
 //! its own, so that no light leaks out of a corner.
 //!
-//! Where two surfaces are met at once, as the sides of a sheet are, a front goes before a back, and then the
-//! one that comes first in the list.
+//! Where two surfaces are met at once, as the sides of a sheet are, a front goes before a back, then the smaller
+//! of two flat ones, which was laid on the other, and then the one that comes first in the list.
 
 mod frame;
 mod fork;
@@ -89,6 +89,8 @@ pub struct RayTree {
     twins: Vec<u32>,
     /// Diagonals of the surfaces' boxes.
     sizes: Vec<f64>,
+    /// Areas of the flat surfaces; 0 of others.
+    areas: Vec<f64>,
     /// The largest coordinate (length).
     size: f64,
 }
@@ -112,8 +114,10 @@ impl RayTree {
         let flats = flats.iter().map(|leaf| Flats::new(&surfaces, leaf, &frame)).collect();
         let twins = twins(&surfaces, &boxes);
         let sizes = boxes.iter().map(Aabb::diagonal).collect();
+        let area = |surface: &Arc<dyn Surface>| surface.region().map_or(0.0, PlanarRegion::area);
+        let areas = surfaces.iter().map(area).collect();
         let size = bounds.min.abs().max(bounds.max.abs()).max_element();
-        RayTree { surfaces, frame, forks, flats, facets, twins, sizes, size }
+        RayTree { surfaces, frame, forks, flats, facets, twins, sizes, areas, size }
     }
 
     /// The first surface that the ray meets within its range.
@@ -323,7 +327,10 @@ impl<'a> Search<'a> {
             return t < nearest;
         }
         match (self.is_front(new), self.is_front(old)) {
-            (a, b) if a == b => new.surface < old.surface,
+            (a, b) if a == b => {
+                let [new, old] = [new, old].map(|best| (self.tree.areas[best.surface], best.surface));
+                new < old
+            }
             (is_front, _) => is_front,
         }
     }

@@ -289,11 +289,11 @@ fn light_of_every_kind_is_multiplied_band_by_band() {
     let all = |factors: &str| every_light(&names.map(|name| motion(name, factors)).concat());
     let rest = on_floor(&all("1"));
     assert!(rest.iter().all(|light| *light > 1.0), "{rest:?}");
-    // All of them alike: all light is.
+    // All of them alike: all light is, but for roundings: bands weigh otherwise, by which openings are cut otherwise.
     let scene = all("[0.5, 0.25]");
     let found = on_floor(&scene.at_frame(2).unwrap());
     for (found, right) in found.iter().zip([0.5 * rest[0], 0.25 * rest[1]]) {
-        assert_close(*found, right, 1e-12);
+        assert_close(*found, right, 1e-10);
     }
     // Each by itself: what one adds, half of it is left. What is not dimmed stays to the bit.
     for own in names {

@@ -236,7 +236,7 @@ impl<'a> Shadows<'a> {
     }
 
     /// The shadow volumes of the planar blockers.
-    pub(crate) fn volumes(&self, before: BlockerRange) -> impl Iterator<Item = &ShadowVolume> {
+    pub(crate) fn volumes(&self, before: BlockerRange) -> impl Iterator<Item = &ShadowVolume> + Clone {
         self.of(before).filter_map(|blocker| match blocker {
             Blocker::Flat(volume) => Some(volume),
             Blocker::Curved(_) => None,
@@ -290,7 +290,7 @@ impl<'a> Shadows<'a> {
         self.receiver.surface.is_some_and(|surface| self.visibility.sheet(surface) == obstacle)
     }
 
-    fn of(&self, before: BlockerRange) -> impl Iterator<Item = &Blocker> {
+    fn of(&self, before: BlockerRange) -> impl Iterator<Item = &Blocker> + Clone {
         self.stack[before.start..before.end].iter().map(|blocker| &self.blockers[*blocker])
     }
 

@@ -24,12 +24,8 @@ use crate::emitters::Emitters;
 use crate::occluders::{Occluders, Site};
 use crate::point_lights::PointLights;
 use crate::receiver_point::ReceiverPoint;
+use crate::tolerances::PER_CELL;
 use crate::traversal::Traversal;
-
-/// Error that one cell may contribute, over the accuracy of the sum: the errors of some ten cells, of either
-/// sign, then add up to it. With a larger value the sum may miss its accuracy where more cells are divided no
-/// further.
-const PER_CELL: f64 = 0.3;
 
 /// A site whose diagonal is below this part of its distance from an emitter is small: a rule of 2 × 2 points
 /// then has a relative error of about 0.02 · 0.25⁴ = 8e-5.
@@ -136,16 +132,16 @@ impl<'a> DirectLight<'a> {
     }
 
     /// Whether direct light at a site has no shadows and varies little more than linearly, since all emitters
-    /// are far; never said where luminaires shine.
+    /// are far; never said where luminaires shine, or where the horizon of a part of the site crosses an
+    /// opening: light has a kink where it leaves it.
     pub fn is_smooth(&self, site: &Site, occluders: &Occluders) -> bool {
         let own = Aabb::around(site.points.iter().copied());
         let gap = |tree: &Tree| {
             let apart = (own.min - tree.bounds.max).max(tree.bounds.min - own.max);
             apart.max(DVec3::ZERO).length()
         };
-        self.points.is_empty()
-            && occluders.is_clear()
-            && self.trees.iter().all(|tree| own.diagonal() < SMALL * gap(tree))
+        let is_far = |tree: &Tree| own.diagonal() < SMALL * gap(tree) && !tree.meets_horizon(site.points);
+        self.points.is_empty() && occluders.is_clear() && self.trees.iter().all(is_far)
     }
 
     /// Irradiance (W m⁻²) per band straight from the emitters, at the point `receiver` of a site.

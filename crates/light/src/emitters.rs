@@ -36,6 +36,11 @@ impl Radiances {
         self.0.get(surface)?.as_ref()
     }
 
+    /// Whether a surface is no diffuse emitter.
+    pub fn is_directed(&self, surface: usize) -> bool {
+        self.of_surface(surface).is_some()
+    }
+
     /// The radiance that a surface sends into a unit direction, over that of a diffuse emitter of its
     /// exitance.
     pub fn relative(&self, surface: usize, into: DVec3) -> f64 {

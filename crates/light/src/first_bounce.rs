@@ -58,6 +58,11 @@ const SMALL: f64 = 0.25;
 /// points each. With a larger value single points would show.
 pub(crate) const LOOSEST: f64 = 2e-2;
 
+/// Accuracy of g at a point over that of D, of the light of openings and luminous areas: what lies far from
+/// them has reflected light alone, and cells err to one side. Measured in a room of 6 m with a window: at its
+/// end 0.7 % were missing with 1, 0.1 % are with this, in the same time.
+const REFLECTED: f64 = 0.1;
+
 /// Coefficients of the first bounce in the orthonormal bases, element by element, per band.
 #[derive(Debug)]
 pub struct Bounce {
@@ -192,12 +197,13 @@ impl CoatedBounce {
         eps: f64,
         ranks: &Ranks,
     ) -> Self {
-        let Emitters { elements, ref coatings, .. } = *sources;
+        let Emitters { elements, ref coatings, points, .. } = *sources;
         let bands = coatings.len();
         let scale = scales(elements, coatings, &d);
-        let reflection = Reflection::new(elements, coatings, visibility, lit, scale, eps);
+        let reflection = Reflection::new(elements, coatings, visibility, lit, points, scale, eps);
         let coats = Coats::of(coatings, apart);
-        let light = DirectReflection { lit, reflection, coats: &coats };
+        let eps = if sources.are_directed() { REFLECTED * eps } else { eps };
+        let light = DirectReflection { lit, reflection, coats: &coats, eps };
         let of_element = |index: usize| of_reflected(&elements[index], index, &light);
         let mut channels = projected(elements.len(), coats.count() * bands, &of_element, ranks).into_iter();
         let reflected = (0..coats.count()).map(|_| channels.by_ref().take(bands).collect()).collect();
@@ -285,11 +291,13 @@ struct DirectReflection<'a> {
     lit: IrradianceAt<'a>,
     reflection: Reflection<'a>,
     coats: &'a Coats,
+    /// Relative accuracy of g at a point.
+    eps: f64,
 }
 
 /// The coefficients g of an element, per coat and band.
 fn of_reflected(element: &Element, index: usize, light: &DirectReflection<'_>) -> Vec<Vec<f64>> {
-    let DirectReflection { lit, reflection, coats } = light;
+    let DirectReflection { lit, reflection, coats, eps } = light;
     let mut sums = Sums::new(element, coats.count() * reflection.bands());
     for patch in &element.patches {
         let halvings = if area(patch) < SMALL * element.area { 0 } else { REFLECTED_HALVINGS };
@@ -299,7 +307,7 @@ fn of_reflected(element: &Element, index: usize, light: &DirectReflection<'_>) -
             let around = reflection.around(&site);
             sums.add(&cell, points, |node| {
                 let receiver = ReceiverPoint::on(element.surface, node.position, node.normal);
-                reflection.irradiance_by_coat(&receiver, &around, &lit(index, node), coats)
+                reflection.irradiance_by_coat(*eps, &receiver, &around, &lit(index, node), coats)
             });
         }
     }

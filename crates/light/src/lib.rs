@@ -24,6 +24,9 @@
 //! * a curved surface of even exitance that hides nothing of itself: Lambert's formula along its outline,
 //!   times the visible part of scan lines across it, without cells (`area_light`).
 //!
+//! Openings to a sky are cut first where the horizon of x crosses them, so that each cell has sky or ground
+//! behind it and a smooth radiance.
+//!
 //! A cell is divided while the expected error of its rule is above the tolerance. For a cell without
 //! blockers, of width h at the distance r, with the mean B, the variation ΔB, and the difference δB between
 //! B̄ and the mean of its quarters, the error is about F (0.02 B (h/r)⁴ + 0.05 ΔB (h/r)³ + δB) for the Gauss

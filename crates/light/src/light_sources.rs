@@ -5,11 +5,12 @@
 //! U(x) = ∫ κ(x, y) dA_y        W m⁻² for the exitance 1
 //! ```
 //!
-//! A flat element sends what Lambert's formula says. A curved surface that shines evenly and hides nothing of
+//! A flat element sends what Lambert's formula says; that of an opening to a sky is summed over its cells, which
+//! are cut at the horizon of the point. A curved surface that shines evenly and hides nothing of
 //! itself is one source, however many elements it has: a disk is a polygon of many corners, a ball has a
-//! formula, and of other bent surfaces only the outline counts ([`super::area_light`]). Of openings to a sky,
-//! surfaces that hide a part of themselves, and what is near or reaches below the horizon, rays have to tell
-//! U.
+//! formula, and of other bent surfaces only the outline counts ([`super::area_light`]). Of luminous areas that
+//! are no diffuse emitters, surfaces that hide a part of themselves, and what is near or reaches below the
+//! receiver, rays have to tell U.
 
 use radiosity_elements::Element;
 use radiosity_geom::{Aabb, DVec3, Plane};
@@ -18,11 +19,13 @@ use radiosity_visibility::Visibility;
 
 use crate::area_light::{AreaLight, flat_outline, irradiance};
 use crate::blockers::Extent;
+use crate::cells::tree::Tree;
 use crate::emitters::Emitters;
 use crate::lamps::{Lamp, brightness};
-use crate::occluders::Sender;
+use crate::occluders::{Occluders, Sender};
 use crate::receiver_point::ReceiverPoint;
-use crate::tolerances::OUTLINE_FROM;
+use crate::tolerances::{OUTLINE_FROM, PER_CELL};
+use crate::traversal::Traversal;
 
 /// Part of a surface's parameters that its elements may leave out by rounding.
 const COVERED: f64 = 1e-9;
@@ -48,6 +51,8 @@ enum Form<'a> {
     Ball { center: DVec3, radius: f64 },
     /// The outline of a curved surface.
     Outline(AreaLight<'a>),
+    /// Cells of an opening to a sky, of exitance 1.
+    Opening(Tree),
     /// Points for rays alone.
     Points,
 }
@@ -77,7 +82,8 @@ impl<'a> LightSource<'a> {
     fn add(group: Vec<Lamp>, sources: &Emitters<'a>, visibility: &'a Visibility, all: &mut Vec<Self>) {
         let elements: Vec<&Element> = group.iter().map(|lamp| &sources.elements[lamp.element]).collect();
         let surface = elements[0].surface;
-        let is_diffuse = sources.radiances.of_surface(surface).is_none();
+        let radiance = sources.radiances.of_surface(surface);
+        let is_diffuse = radiance.is_none();
         let first = group[0].element;
         let shines_as_first = |lamp: &Lamp| {
             sources.coatings.iter().all(|own| own.exitance[lamp.element] == own.exitance[first])
@@ -93,6 +99,9 @@ impl<'a> LightSource<'a> {
             let form = match element.plane {
                 Some(_) if is_diffuse => {
                     Form::Polygons(element.patches.iter().map(|patch| patch.polygon()).collect())
+                }
+                Some(_) if radiance.is_some_and(|own| own.zenith().is_some()) => {
+                    Form::Opening(Tree::uniform(element, 1.0).spread(radiance.cloned()))
                 }
                 _ => Form::Points,
             };
@@ -132,15 +141,35 @@ impl<'a> LightSource<'a> {
         }
     }
 
+    /// U(x) v of an opening to a sky behind `occluders`, to about the relative accuracy `eps`; None of other
+    /// emitters.
+    pub(super) fn through_opening(
+        &self,
+        receiver: &ReceiverPoint,
+        visibility: &Visibility,
+        occluders: &Occluders,
+        eps: f64,
+    ) -> Option<f64> {
+        let Form::Opening(tree) = &self.form else { return None };
+        let mut traversal = Traversal::new(receiver, visibility, occluders);
+        let add = |traversal: &mut Traversal, index: usize, tolerance: f64, out: &mut [f64]| {
+            traversal.add(index, tree, tolerance, out);
+        };
+        let factors =
+            traversal.within_share(std::slice::from_ref(tree), PER_CELL * eps, 0.0, add, |own| own[0]);
+        Some(factors[0])
+    }
+
     /// Whether all `surfaces` only close it, and hide nothing of it from anywhere.
     pub(super) fn is_closed_by(&self, surfaces: &[usize]) -> bool {
         matches!(&self.form, Form::Outline(light) if light.is_closed_by(surfaces))
     }
 
-    /// U(x); None where rays have to tell.
-    pub(super) fn whole(&self, receiver: &ReceiverPoint) -> Option<f64> {
+    /// U(x), to about the relative accuracy `eps` where it has no closed form; None where rays have to tell.
+    pub(super) fn whole(&self, receiver: &ReceiverPoint, visibility: &Visibility, eps: f64) -> Option<f64> {
         match &self.form {
             Form::Points => None,
+            Form::Opening(_) => self.through_opening(receiver, visibility, &Occluders::nothing(), eps),
             Form::Polygons(polygons) => {
                 Some(polygons.iter().map(|polygon| receiver.factor(polygon, [].iter())).sum())
             }

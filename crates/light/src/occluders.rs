@@ -108,6 +108,11 @@ impl Occluders {
         Self { obstacles, places, ranges }
     }
 
+    /// Nothing between a site and one element in sight.
+    pub(crate) fn nothing() -> Self {
+        Self { obstacles: Vec::new(), places: Vec::new(), ranges: vec![Some((0, 0))] }
+    }
+
     /// The occluders without those that certainly miss the shaft between the site and an element; `hulls` has
     /// the hull points of each element.
     pub(crate) fn narrowed(self, visibility: &Visibility, hulls: &[&[DVec3]], site: &Site) -> Self {

@@ -58,6 +58,7 @@ use std::iter;
 use radiosity_elements::sampling::shift::{number_of, shift};
 use radiosity_geom::DVec3;
 use radiosity_visibility::Visibility;
+use radiosity_visibility::shadow_volume::ShadowVolume;
 use serde::{Deserialize, Serialize};
 use smallvec::SmallVec;
 
@@ -234,13 +235,19 @@ impl<'a> Penumbra<'a> {
         share: f64,
         listed: Option<&'l Occluders>,
     ) -> EmitterBeam<'l> {
-        let whole = source.whole(receiver);
         let between =
             listed.map_or(Some(Obstruction::Anything), |listed| self.between(receiver, source, listed));
+        let whole = match between {
+            None => Some(0.0),
+            _ => source.whole(receiver, self.visibility, self.eps),
+        };
         let known = match &between {
             None => Some(0.0),
             Some(Obstruction::Nothing) => whole,
-            Some(Obstruction::Some(shadows, before)) => cut_out(receiver, source, shadows, *before),
+            Some(Obstruction::Some(shadows, before)) if is_cut_out(shadows, *before) => {
+                self.cut_out(receiver, source, shadows.volumes(*before), listed)
+            }
+            Some(Obstruction::Some(..)) => None,
             Some(Obstruction::Anything) => None,
         };
         let place = receiver.position.to_array().into_iter();
@@ -280,6 +287,23 @@ impl<'a> Penumbra<'a> {
         let asked = shadows.ask(&places, source.bounds());
         let before = shadows.narrow_to(asked, &source.extent())?;
         Some(if before.is_empty() { Obstruction::Nothing } else { Obstruction::Some(shadows, before) })
+    }
+
+    /// U_l v_l of a flat emitter behind the shadow volumes `volumes` of all that is listed before it; None of
+    /// others.
+    fn cut_out<'s>(
+        &self,
+        receiver: &ReceiverPoint,
+        source: &LightSource,
+        volumes: impl Iterator<Item = &'s ShadowVolume> + Clone,
+        listed: Option<&Occluders>,
+    ) -> Option<f64> {
+        match source.polygons() {
+            Some(polygons) => {
+                Some(polygons.iter().map(|polygon| receiver.factor(polygon, volumes.clone())).sum())
+            }
+            None => source.through_opening(receiver, self.visibility, listed?, self.eps),
+        }
     }
 
     /// Rays by which a curved emitter of the part `share` of all light errs by the accuracy, if so many are
@@ -326,16 +350,9 @@ impl<'a> Penumbra<'a> {
     }
 }
 
-/// U_l v_l of a flat emitter behind few things, all flat; None of others.
-fn cut_out(
-    receiver: &ReceiverPoint,
-    source: &LightSource,
-    shadows: &Shadows,
-    before: BlockerRange,
-) -> Option<f64> {
-    let polygons = source.polygons()?;
-    let is_exact = shadows.are_flat(before) && shadows.volumes(before).count() <= CUT_OUT;
-    is_exact.then(|| polygons.iter().map(|polygon| receiver.factor(polygon, shadows.volumes(before))).sum())
+/// Whether what stands before an emitter is cut out of it: few things, all flat.
+fn is_cut_out(shadows: &Shadows, before: BlockerRange) -> bool {
+    shadows.are_flat(before) && shadows.volumes(before).count() <= CUT_OUT
 }
 
 /// The targets on an emitter as seen from a point.

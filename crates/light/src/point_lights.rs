@@ -21,6 +21,10 @@ use radiosity_visibility::Visibility;
 use crate::luminous_line::{LuminousLine, irradiance};
 use crate::receiver_point::ReceiverPoint;
 
+/// Solid angle (sr) that all light would fill at the greatest intensity, below which a beam is narrow. Chosen: a
+/// diffuse emitter has π, a spot of 60° 0.84.
+const NARROW: f64 = 1.0;
+
 /// The luminaires that shine and are no areas, and the sun.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct PointLights {
@@ -173,6 +177,15 @@ impl PointLights {
     /// Whether there is none.
     pub fn is_empty(&self) -> bool {
         self.list.is_empty() && self.suns.is_empty()
+    }
+
+    /// Whether one of them may light a small part of a surface alone: the sun, or a narrow beam.
+    pub(crate) fn have_beams(&self) -> bool {
+        let is_narrow = |light: &PointLight| {
+            let distribution = &light.luminaire.distribution;
+            distribution.flux_factor() < NARROW * distribution.peak()
+        };
+        self.has_sun() || self.list.iter().any(is_narrow)
     }
 
     /// Whether the sun is among them.

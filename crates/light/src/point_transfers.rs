@@ -13,7 +13,7 @@ use radiosity_elements::patch::Node;
 use radiosity_visibility::Visibility;
 use rayon::prelude::*;
 
-use crate::cells::tree::Tree;
+use crate::cells::tree::{Steps, Tree};
 use crate::occluders::{Occluders, Site};
 use crate::receiver_point::ReceiverPoint;
 use crate::traversal::Traversal;
@@ -40,7 +40,7 @@ impl<'a> PointTransfers<'a> {
                 out.fill(0.0);
                 out.iter_mut().zip(element.basis.values(node)).for_each(|(out, value)| *out = root * value);
             };
-            Tree::new(element, &scale, eps, &field)
+            Tree::new(element, &scale, Steps::Nowhere, eps, &field)
         };
         let trees = elements.par_iter().map(tree).collect();
         Self { elements, visibility, trees, channels, eps }

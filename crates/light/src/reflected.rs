@@ -15,9 +15,10 @@ use radiosity_elements::patch::Node;
 use radiosity_visibility::Visibility;
 use rayon::prelude::*;
 
-use crate::cells::tree::Tree;
+use crate::cells::tree::{Steps, Tree};
 use crate::coats::Coats;
 use crate::occluders::{Occluders, Site};
+use crate::point_lights::PointLights;
 use crate::receiver_point::ReceiverPoint;
 use crate::traversal::Traversal;
 
@@ -52,16 +53,23 @@ pub struct Reflection<'a> {
 }
 
 impl<'a> Reflection<'a> {
-    /// The light that `elements`, with one coating per band, reflect under the irradiance `lit`, to be
-    /// gathered to about the relative accuracy `eps`. `scale` > 0 is the mean radiosity per band.
+    /// The light that `elements`, with one coating per band, reflect under the irradiance `lit`, to which
+    /// `points` belong, to be gathered to about the relative accuracy `eps`. `scale` > 0 is the mean radiosity
+    /// per band.
     pub fn new(
         elements: &[Element],
         coatings: &[&Coating],
         visibility: &'a Visibility,
         lit: IrradianceAt<'_>,
+        points: &PointLights,
         scale: Vec<f64>,
         eps: f64,
     ) -> Self {
+        let steps = match points.is_empty() {
+            true => Steps::Nowhere,
+            false if points.have_beams() => Steps::Beams,
+            false => Steps::Shadows,
+        };
         let reflects = |i: &usize| coatings.iter().any(|coating| coating.scatters(*i));
         let reflecting: Vec<usize> = (0..elements.len()).filter(reflects).collect();
         let tree = |element: &usize| {
@@ -77,7 +85,7 @@ impl<'a> Reflection<'a> {
                     *out += coating.transmittance(*element) * lit;
                 }
             };
-            Tree::new(&elements[*element], &scale, eps, &field)
+            Tree::new(&elements[*element], &scale, steps, eps, &field)
         };
         let trees = reflecting.par_iter().with_max_len(1).map(tree).collect();
         Self { visibility, trees, elements: reflecting, scale, eps }
@@ -99,8 +107,7 @@ impl<'a> Reflection<'a> {
         self.irradiance_within(self.eps, receiver, occluders, other)
     }
 
-    /// Irradiance (W m⁻²) per band as of [`Self::irradiance`], to another relative accuracy `eps`, which is
-    /// no smaller than its own.
+    /// Irradiance (W m⁻²) per band as of [`Self::irradiance`], to another relative accuracy `eps`.
     pub fn irradiance_within(
         &self,
         eps: f64,
@@ -111,10 +118,11 @@ impl<'a> Reflection<'a> {
         self.sum(&self.parts(eps, receiver, occluders, other))
     }
 
-    /// Irradiance (W m⁻²) as of [`Self::irradiance`], apart by the coats of the reflecting elements: all
+    /// Irradiance (W m⁻²) as of [`Self::irradiance_within`], apart by the coats of the reflecting elements: all
     /// bands of one coat after those of another.
     pub(crate) fn irradiance_by_coat(
         &self,
+        eps: f64,
         receiver: &ReceiverPoint,
         occluders: &Occluders,
         other: &[f64],
@@ -122,7 +130,7 @@ impl<'a> Reflection<'a> {
     ) -> Vec<f64> {
         let bands = self.scale.len();
         let mut sums = vec![0.0; coats.count() * bands];
-        let parts = self.parts(self.eps, receiver, occluders, other);
+        let parts = self.parts(eps, receiver, occluders, other);
         for (part, element) in parts.chunks_exact(bands).zip(&self.elements) {
             let own = &mut sums[bands * coats.of_element(*element)..][..bands];
             own.iter_mut().zip(part).for_each(|(sum, part)| *sum += part);

@@ -15,6 +15,11 @@ pub(crate) const COSINE_OF_FLAT: f64 = 0.999;
 /// farther, points of the rule face away that others stand for, and the cell is divided at once.
 pub(crate) const COSINE_OF_CELL: f64 = 0.7;
 
+/// Error that one cell may contribute, over the accuracy of the sum: the errors of some ten cells, of either
+/// sign, then add up to it. With a larger value the sum may miss its accuracy where more cells are divided no
+/// further.
+pub(crate) const PER_CELL: f64 = 0.3;
+
 /// Most quarterings of a flat cell of an emitter, which is then 6·10⁻⁸ as long: a bound for receivers that
 /// all but touch it.
 pub(crate) const MOST_QUARTERINGS_OF_FLAT: usize = 24;

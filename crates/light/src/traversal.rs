@@ -1,6 +1,9 @@
 //! Hierarchy traversal: visits the trees of cells for a point, and divides a cell only where its rule is too
 //! coarse.
 //!
+//! The cells of an opening to a sky are cut at the level of the point, where the radiance behind them jumps, and
+//! at the receiver's own horizon: on each part what is summed is smooth.
+//!
 //! A cell may err by a share ε of the irradiance E of the point, other known light included. E is not known
 //! beforehand: the first pass takes an upper bound b in its place. If E turns out below 0.4 b, the trees with
 //! too coarse cells are visited again.
@@ -8,8 +11,11 @@
 mod cell_rule;
 
 use std::f64::consts::PI;
+use std::iter;
 
+use radiosity_elements::patch::Node;
 use radiosity_geom::{DVec3, Plane};
+use radiosity_scene::Radiance;
 use radiosity_visibility::Visibility;
 use radiosity_work::interruption::check_interrupt;
 use smallvec::SmallVec;
@@ -42,6 +48,11 @@ const DARK: f64 = 0.4;
 /// Least irradiance over its bound that the accuracy is relative to: deep shadows would take a cell for each
 /// glimmer.
 const LEAST: f64 = 0.05;
+
+/// Error that a cell of an opening to a sky may make over that of others: radiance bends alike in all of them,
+/// so that their errors add up. Measured before 20 windows under two clear skies: the largest of 500 errors
+/// was 1.1 ε with 0.2, and is 0.5 ε with this.
+const OF_SKY: f64 = 0.05;
 
 /// The traversal for one receiver point.
 pub(crate) struct Traversal<'a> {
@@ -129,6 +140,9 @@ impl<'a> Traversal<'a> {
         if self.is_out_of_sight(index, tree) {
             return 0.0;
         }
+        if let Some(radiance) = tree.opening() {
+            return self.bound_of_opening(tree, radiance);
+        }
         let bound = |cell: &Cell| {
             let is_far = 2.0 * cell.radius < self.distance(cell);
             let is_told = is_far || self.is_like_flat(cell);
@@ -136,6 +150,20 @@ impl<'a> Traversal<'a> {
             cell.brightness * factor
         };
         tree.roots().iter().map(bound).sum()
+    }
+
+    /// As [`Traversal::bound`], by the greatest light from the points of each part of an opening.
+    fn bound_of_opening(&self, tree: &Tree, radiance: &Radiance) -> f64 {
+        let towards = |node: &Node| (self.receiver.position - node.position).normalize_or_zero();
+        let bound = |part: &Cell| {
+            let greatest = part.nodes.iter().map(|node| radiance.relative(towards(node))).fold(0.0, f64::max);
+            part.brightness * greatest * self.receiver.factor(&part.hull, iter::empty())
+        };
+        let of_root = |root: &Cell| match self.at_horizons(tree, root) {
+            Some(parts) => parts.iter().map(bound).sum(),
+            None => bound(root),
+        };
+        tree.roots().iter().map(of_root).sum()
     }
 
     /// Adds the irradiance from element `index` to `out`, per channel; a cell may err by `tolerance` times
@@ -153,9 +181,29 @@ impl<'a> Traversal<'a> {
             (false, Some(_)) => MOST_QUARTERINGS_OF_FLAT,
         };
         let dome = if own { self.dome(tree.surface) } else { None };
+        let tolerance = if tree.opening().is_some() { OF_SKY * tolerance } else { tolerance };
         let mut pass = Pass { tree, tolerance, deepest, own, dome, out };
         for root in tree.roots() {
-            self.visit(&mut pass, root, before, 0);
+            match self.at_horizons(tree, root) {
+                Some(parts) => parts.iter().for_each(|part| self.visit(&mut pass, part, before, 0)),
+                None => self.visit(&mut pass, root, before, 0),
+            }
+        }
+    }
+
+    /// The parts of a cell of an opening with sky behind them and with ground behind them, above the horizon of
+    /// the receiver; None where no horizon crosses it.
+    fn at_horizons(&self, tree: &Tree, root: &Cell) -> Option<SmallVec<[Cell; 4]>> {
+        let zenith = tree.zenith()?;
+        let ReceiverPoint { position, normal, ground, .. } = *self.receiver;
+        let crosses = |horizon: &DVec3| root.is_crossed(position, *horizon);
+        let own: SmallVec<[DVec3; 3]> =
+            [Some(normal), ground].into_iter().flatten().filter(crosses).collect();
+        let part = |further: &[DVec3]| root.part(position, &[&own, further].concat(), tree.scale());
+        match crosses(&zenith) {
+            true => Some([zenith, -zenith].into_iter().flat_map(|side| part(&[side])).collect()),
+            false if own.is_empty() => None,
+            false => Some(part(&[]).into_iter().collect()),
         }
     }
 

@@ -24,7 +24,7 @@ use radiosity_light::direct::DirectLight;
 use radiosity_light::occluders::Site;
 use radiosity_light::receiver_point::ReceiverPoint;
 use radiosity_light::reflected::Reflection;
-use radiosity_solve::gather::gather_method::Gathering;
+use radiosity_solve::gather::gather_method::GatheredBy;
 use radiosity_solve::gather::read_irradiance::{Deviation, ReadIrradiance};
 use radiosity_solve::gather::receiver::Receiver;
 use radiosity_solve::solution::SurfacePlace;
@@ -241,14 +241,15 @@ fn over_patch(reader: &Reader, element: usize, patch: &Patch, rates: Rates) -> R
             sum(lit(direct, owner.surface, patch, horizon, rates.direct), &mean(patch, exact, indirect))
                 .into()
         }
-        RecomputedLight::Gathered(Gathering::Rays(gather)) => {
-            gather.read(&Receiver::over(owner.surface, patch))
-        }
-        RecomputedLight::Gathered(Gathering::Cells(gather)) => {
-            let lit = lit(gather.direct(), owner.surface, patch, horizon, rates.direct);
-            let gathered = gathered(gather.reflection(), owner.surface, patch, horizon, rates.indirect, &lit);
-            sum(lit, &gathered).into()
-        }
+        RecomputedLight::Gathered(light) => match light.by() {
+            GatheredBy::Rays(gather) => gather.read(&Receiver::over(owner.surface, patch)),
+            GatheredBy::Cells(gather) => {
+                let lit = lit(gather.direct(), owner.surface, patch, horizon, rates.direct);
+                let gathered =
+                    gathered(gather.reflection(), owner.surface, patch, horizon, rates.indirect, &lit);
+                sum(lit, &gathered).into()
+            }
+        },
     }
 }
 

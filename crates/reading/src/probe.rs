@@ -4,9 +4,9 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use radiosity_audit::Spot;
 use radiosity_geom::DVec3;
-use radiosity_light::receiver_point::ReceiverPoint;
 use radiosity_scene::{Scene, SensorPlane};
 use radiosity_solve::gather::read_irradiance::{Deviation, ReadIrradiance};
+use radiosity_solve::gather::standpoint::Standpoint;
 use radiosity_solve::gather::surface_point::SurfacePoint;
 use radiosity_solve::solution::SurfacePlace;
 use radiosity_work::ranks::PartName;
@@ -137,22 +137,23 @@ struct ProbeValues {
 fn read(reader: &Reader, probe: &Probe, middle: DVec3) -> Result<ProbeValues, ProbeFault> {
     let (position, normal) = (probe.position - middle, probe.normal);
     let elements = reader.solution().elements();
-    let point = SurfacePoint::find(elements, reader.visibility(), position, normal);
+    let standpoint = Standpoint::find(elements, reader.visibility(), position, normal);
     let along_surface =
         |point: &SurfacePoint| reader.irradiance(point.element, &place(reader, point), point.normal);
-    let (value, on) = match point {
+    let (value, on) = match standpoint.on() {
         None => {
-            let free = ReceiverPoint::free(position, normal);
-            (reader.gathered(&free).ok_or(ProbeFault::OffSurface)?, None)
+            let receiver = standpoint.receiver_point(normal);
+            (reader.gathered(&receiver).ok_or(ProbeFault::OffSurface)?, None)
         }
         Some(point) if reader.gathers() && point.normal.dot(normal) < EQUAL_NORMAL => {
-            let on = on(reader, &point, &along_surface(&point).irradiance);
-            (reader.gathered(&point.receiver_point(normal)).ok_or(ProbeFault::Tilted)?, Some(on))
+            let on = on(reader, point, &along_surface(point).irradiance);
+            let above = reader.gathered(&point.receiver_point(normal)).ok_or(ProbeFault::Tilted)?;
+            (above.with(&point.own_light(reader.solution(), normal, &on.radiosity)), Some(on))
         }
         Some(point) if point.normal.dot(normal) < SAME_NORMAL => return Err(ProbeFault::Tilted),
         Some(point) => {
-            let value = along_surface(&point);
-            let on = on(reader, &point, &value.irradiance);
+            let value = along_surface(point);
+            let on = on(reader, point, &value.irradiance);
             (value, Some(on))
         }
     };

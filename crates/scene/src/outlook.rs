@@ -19,6 +19,10 @@ use crate::{
     sky::{Sky, over_hemisphere},
 };
 
+/// Error of 2 × 2 points for the mean of a cone over a cell, over what it falls to the farthest corner: 0.036
+/// with the tip in the middle, less with it elsewhere; rounded up.
+const CONE: f64 = 0.05;
+
 /// The sky and the glass of an opening.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Opening {
@@ -76,10 +80,23 @@ impl Outlook {
         }
     }
 
-    /// Height of a point over another along the zenith, `step` apart: directions between them change from
-    /// ground to sky where it is 0.
-    pub(crate) fn height(&self, step: DVec3) -> f64 {
-        self.opening.sky.height(step)
+    /// Unit vector to the zenith.
+    pub(crate) fn zenith(&self) -> DVec3 {
+        self.opening.sky.zenith()
+    }
+
+    /// Error of the mean of a over a cell whose corners send light along `into`, of any length: the radiance of
+    /// a clear sky is a cone about the sun.
+    pub(crate) fn left_out(&self, into: &[DVec3]) -> f64 {
+        let Some(peak) = self.opening.sky.peak() else { return 0.0 };
+        let units = || into.iter().map(|into| into.normalize_or_zero());
+        let axis = units().sum::<DVec3>().normalize_or_zero();
+        let widest = units().map(|unit| unit.dot(axis)).fold(1.0, f64::min);
+        if axis.dot(-peak) < widest {
+            return 0.0;
+        }
+        let least = units().map(|unit| self.relative(unit)).fold(f64::INFINITY, f64::min);
+        CONE * (self.relative(-peak) - least).max(0.0)
     }
 
     /// The direction to the sun, and the irradiance per band (W m⁻²) across its beam behind the opening; None

@@ -41,17 +41,17 @@ impl Radiance {
         }
     }
 
-    /// Error of the mean of a over a cell by what is between its points, at which a differs by up to
-    /// `spread`; `into` are the directions, of any length, from the corners of the cell to the point that
-    /// sees it.
-    pub fn left_out(&self, into: &[DVec3], spread: f64) -> f64 {
+    /// Unit vector to the zenith of a sky: a jumps between directions that rise and directions that fall. None
+    /// for a luminaire.
+    pub fn zenith(&self) -> Option<DVec3> {
+        self.outlook().map(|outlook| outlook.zenith())
+    }
+
+    /// Error of the mean of a over a cell, on one side of the horizon, by what is between its points; `into`
+    /// are the directions, of any length, from the corners of the cell to the point that sees it.
+    pub fn left_out(&self, into: &[DVec3]) -> f64 {
         match self {
-            // Radiance jumps at the horizon.
-            Self::Sky(outlook) => {
-                let heights = || into.iter().map(|step| outlook.height(-*step));
-                let crosses = heights().any(|height| height > 0.0) && heights().any(|height| height < 0.0);
-                if crosses { spread } else { 0.0 }
-            }
+            Self::Sky(outlook) => outlook.left_out(into),
             Self::Luminaire(area) => area.left_out(into),
         }
     }

@@ -123,9 +123,14 @@ impl Sky {
         &self.irradiance
     }
 
-    /// Height of a point over another along the zenith, `step` apart.
-    pub(crate) fn height(&self, step: DVec3) -> f64 {
-        step.dot(self.up)
+    /// Unit vector to the zenith.
+    pub(crate) fn zenith(&self) -> DVec3 {
+        self.up
+    }
+
+    /// Unit vector to where the radiance has a tip: the sun in a clear sky.
+    pub(crate) fn peak(&self) -> Option<DVec3> {
+        self.sun.as_ref().filter(|_| self.model == SkyModel::Clear).map(|sun| sun.direction)
     }
 
     /// Radiance (1/sr) from the unit direction `from`, over the irradiance of level ground in the band.

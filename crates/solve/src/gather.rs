@@ -13,6 +13,7 @@
 //! Reference: I. H. Sloan, *Improvement by iteration for compact operator equations*, Math. Comp. 30 (1976).
 
 pub mod surface_point;
+pub mod standpoint;
 pub(crate) mod walks;
 pub mod read_irradiance;
 pub mod receiver;
@@ -20,6 +21,7 @@ mod ray_count;
 mod sent_rays;
 mod walked_light;
 pub mod ray_gather;
+mod narrow_gaps;
 mod cell_price;
 pub mod gather_method;
 
@@ -61,7 +63,8 @@ impl<'a> Gather<'a> {
             lit
         };
         let scale = solution.mean_radiosity();
-        let reflection = Reflection::new(list, &coatings, visibility, &lit, scale, eps);
+        let points = solution.emitters().points;
+        let reflection = Reflection::new(list, &coatings, visibility, &lit, points, scale, eps);
         Self { direct, reflection }
     }
 
@@ -82,7 +85,8 @@ impl<'a> Gather<'a> {
             lit.iter().zip(indirect).map(|(d, s)| d + s).collect()
         };
         let scale = solution.mean_radiosity();
-        let reflection = Reflection::new(list, &coatings, visibility, &lit, scale, eps);
+        let points = solution.emitters().points;
+        let reflection = Reflection::new(list, &coatings, visibility, &lit, points, scale, eps);
         Self { direct, reflection }
     }
 

@@ -14,7 +14,7 @@ use radiosity::reading::reader::{ReadMode, Reader};
 use radiosity::scene::Scene;
 use radiosity::solve::Options;
 use radiosity::solve::gather::Gather;
-use radiosity::solve::gather::surface_point::SurfacePoint;
+use radiosity::solve::gather::standpoint::Standpoint;
 use radiosity::solve::solution::Solution;
 use radiosity::visibility::{Shadows, Visibility};
 use radiosity_geom::shapes::Disk;
@@ -37,11 +37,8 @@ fn scene(shapes: Shapes) -> Scene {
 }
 
 fn at(gather: &Gather, solution: &Solution, visibility: &Visibility, x: DVec3, n: DVec3) -> f64 {
-    let receiver = match SurfacePoint::find(solution.elements(), visibility, x, n) {
-        Some(point) => point.receiver_point(n),
-        None => ReceiverPoint::free(x, n),
-    };
-    gather.at(&receiver)[0]
+    let standpoint = Standpoint::find(solution.elements(), visibility, x, n);
+    gather.at(&standpoint.receiver_point(n))[0]
 }
 
 /// Light straight from all emitters of exitance 1, at the origin, from above.
@@ -302,13 +299,13 @@ fn tight_accuracies_are_kept_and_gathered_light_is_no_worse_than_its_polynomials
                 Some("ceiling") => (1, [a, b, 1.0], -DVec3::Z, 1.0),
                 _ => (2, [0.0, a, b], DVec3::X, 0.0),
             };
-            let point = SurfacePoint::find(
+            let standpoint = Standpoint::find(
                 outcome.solution.elements(),
                 &visibility,
                 DVec3::from_array(place) - scene.middle,
                 normal,
             );
-            let point = point.expect("it lies on a wall");
+            let point = standpoint.on().expect("it lies on a wall");
             assert_eq!(point.place.surface, surface);
             let irradiance = reader.irradiance(point.element, &point.place, point.normal).irradiance[0];
             ((emitted + 0.5 * irradiance) / exact - 1.0).powi(2)

@@ -12,10 +12,10 @@ use std::sync::OnceLock;
 
 use radiosity_elements::patch::{Direction, Node, Patch};
 use radiosity_elements::rule::UnitRule;
-use radiosity_geom::{COINCIDENT, DVec3, Plane, Rect};
+use radiosity_geom::{COINCIDENT, DVec3, Plane, Rect, clip_polygon};
 use radiosity_scene::Radiance;
 use radiosity_visibility::shadow_volume::Quad;
-use smallvec::SmallVec;
+use smallvec::{SmallVec, smallvec};
 
 use crate::tolerances::{COSINE_OF_FLAT, LONG_CELL};
 
@@ -179,10 +179,30 @@ impl Cell {
         let least = if radiance.bends() { BENT } else { 0.0 };
         cell.detail = bend * (bend / mean.max(f64::MIN_POSITIVE)).clamp(least, 1.0) / scale;
         let into: SmallVec<[DVec3; 8]> = self.hull.iter().map(|y| point - y).collect();
-        let left_out = radiance.left_out(&into, scale * cell.spread) / scale;
+        let left_out = radiance.left_out(&into) / scale;
         cell.detail += left_out;
         cell.brightness = cell.brightness.max(left_out);
+        let is_even = cell.values.iter().all(|value| *value == towards(self.center));
+        if is_even && left_out == 0.0 {
+            (cell.spread, cell.detail) = (0.0, 0.0);
+        }
         cell
+    }
+
+    /// The cells that cover the part of a flat cell, of even exitance 1 in one channel of the scale `scale`, on
+    /// the inner sides of planes through `point`.
+    pub(crate) fn part(&self, point: DVec3, inward: &[DVec3], scale: &[f64]) -> SmallVec<[Self; 2]> {
+        let polygon =
+            inward.iter().fold(self.patch.polygon(), |part, normal| clip_polygon(&part, point, *normal));
+        let patches = Patch::of_polygon(&polygon, self.nodes[0].normal);
+        let cell = |patch| Self::bare(patch).with_values(smallvec![1.0; POINTS], scale);
+        patches.into_iter().map(cell).collect()
+    }
+
+    /// Whether a plane through `point` passes between points of its hull.
+    pub(crate) fn is_crossed(&self, point: DVec3, normal: DVec3) -> bool {
+        let heights = || self.hull.iter().map(|y| (*y - point).dot(normal));
+        heights().any(|height| height > 0.0) && heights().any(|height| height < 0.0)
     }
 
     /// Value of a channel at a Gauss point.
@@ -254,27 +274,33 @@ impl Cell {
         self.is_smooth = false;
     }
 
+    /// Adds these differences to its values, channel by channel.
+    pub(super) fn shift(&mut self, differences: &[f64], scale: &[f64]) {
+        let channels = scale.len();
+        for (channel, (difference, scale)) in differences.iter().zip(scale).enumerate() {
+            self.means[channel] += difference;
+            (0..POINTS).for_each(|k| self.values[k * channels + channel] += difference);
+            self.brightness = self.brightness.max(self.means[channel].abs() / scale);
+        }
+    }
+
     /// Stores its quarters, which carry the same field and have their own, and updates spread, detail and
     /// brightness from them: a cell whose points all miss a peak knows it so. Its values are shifted to have
     /// their mean, so that a cell that is taken undivided errs alike in both directions.
     pub(crate) fn divide(&mut self, quarters: [Cell; 4], scale: &[f64]) {
         let whole: f64 = quarters.iter().map(Cell::area).sum();
-        let channels = scale.len();
+        let mut differences: SmallVec<[f64; 3]> = SmallVec::new();
         for (channel, scale) in scale.iter().enumerate() {
             let mean = self.mean(channel);
             let parts = quarters.iter().map(|quarter| quarter.area() * quarter.means[channel]).sum::<f64>();
             let points = quarters.iter().flat_map(|quarter| (0..POINTS).map(|k| quarter.value(k, channel)));
             let spread = points.map(|value| (value - mean).abs()).fold(0.0, f64::max);
             self.spread = self.spread.max(spread / scale);
-            if whole > 0.0 {
-                self.means[channel] = parts / whole;
-                for k in 0..POINTS {
-                    self.values[k * channels + channel] += parts / whole - mean;
-                }
-                self.detail = self.detail.max((self.means[channel] - mean).abs() / scale);
-                self.brightness = self.brightness.max(self.means[channel].abs() / scale);
-            }
+            let difference = if whole > 0.0 { parts / whole - mean } else { 0.0 };
+            self.detail = self.detail.max(difference.abs() / scale);
+            differences.push(difference);
         }
+        self.shift(&differences, scale);
         self.quarters = OnceLock::from(Box::new(quarters));
     }
 
@@ -331,27 +357,38 @@ impl Cell {
     fn continued(&self, channels: usize) -> [SmallVec<[f64; 12]>; 4] {
         let places = &UnitRule::of(2).nodes;
         let directions = self.directions();
-        // Weight of the far side in a direction, at the c-th point of a quarter.
-        let share = |direction: Direction, [a, b]: [usize; 2], c: usize| {
-            let place = match directions.map(|halved| halved == direction) {
-                [true, true] => 0.25 * ((2 * a + b) as f64 + places[c]),
-                [true, false] => 0.5 * (a as f64 + places[c]),
-                [false, true] => 0.5 * (b as f64 + places[c]),
-                [false, false] => places[c],
-            };
-            (place - places[0]) / (places[1] - places[0])
+        // Place of the c-th point of a quarter in a direction.
+        let place = |direction: Direction, [a, b]: [usize; 2], c: usize| match directions
+            .map(|halved| halved == direction)
+        {
+            [true, true] => 0.25 * ((2 * a + b) as f64 + places[c]),
+            [true, false] => 0.5 * (a as f64 + places[c]),
+            [false, true] => 0.5 * (b as f64 + places[c]),
+            [false, false] => places[c],
         };
         std::array::from_fn(|index| {
             let part = [index / 2, index % 2];
-            let value = |place: usize| {
-                let (point, channel) = (place / channels, place % channels);
-                let (s, t) =
-                    (share(Direction::Along, part, point / 2), share(Direction::Across, part, point % 2));
-                let side = |k: usize| (1.0 - t) * self.value(k, channel) + t * self.value(k + 1, channel);
-                (1.0 - s) * side(0) + s * side(2)
+            let value = |index: usize| {
+                let (point, channel) = (index / channels, index % channels);
+                let s = place(Direction::Along, part, point / 2);
+                let t = place(Direction::Across, part, point % 2);
+                self.bilinear([s, t], channel)
             };
             (0..POINTS * channels).map(value).collect()
         })
+    }
+
+    /// The bilinear function of a channel through the four points at a place of the unit square.
+    pub(super) fn bilinear(&self, place: [f64; 2], channel: usize) -> f64 {
+        let places = &UnitRule::of(2).nodes;
+        let [s, t] = place.map(|place| (place - places[0]) / (places[1] - places[0]));
+        let side = |k: usize| (1.0 - t) * self.value(k, channel) + t * self.value(k + 1, channel);
+        (1.0 - s) * side(0) + s * side(2)
+    }
+
+    /// The node at a place of the unit square.
+    pub(super) fn node(&self, [s, t]: [f64; 2]) -> Node {
+        self.patch.node(s, t)
     }
 }
 

@@ -16,10 +16,17 @@
 //! which light depends on the direction to the corner alone, have cells down to
 //! [`MOST_QUARTERINGS_OF_FIELD`], few of them; before a luminaire near a surface cells are as small as its
 //! light peaks.
+//!
+//! The light of the sun and of luminaires has steps: the border of a sun's patch, the edge of a spot, shadows.
+//! The light of points has steps: a step that cuts a cell cuts its border. So a cell beside a step, whose points and
+//! quarters see none, is asked along its border too; where beams may light a small part of a patch, so are all
+//! cells of [`OF_BEAMS`] levels. A cell that keeps a step takes its mean from more points: along the sides of cells
+//! a step errs alike in all of a row.
 
 use radiosity_elements::Element;
 use radiosity_elements::patch::Node;
-use radiosity_geom::{Aabb, Plane};
+use radiosity_elements::sampling::kronecker;
+use radiosity_geom::{Aabb, DVec3, Plane};
 use radiosity_scene::Radiance;
 use radiosity_work::interruption::check_interrupt;
 use smallvec::smallvec;
@@ -46,6 +53,23 @@ const BEYOND: f64 = 1.0;
 /// variation, as it does at a step; it misses a bend by less.
 const JUMP: f64 = 0.5;
 
+/// Points of a cell beside its own that tell whether a step is in it, and points for its mean if one is. Measured
+/// with patches of the sun beside quadrature: with 8 and no more the light of a small one erred by up to 1.3 %.
+const ASKED: u64 = 8;
+const SETTLED: u64 = 32;
+
+/// Levels that are all made where beams may light a part of a patch alone: down to an eighth, so that points lie
+/// closer than the spot of 10° is wide that shines 3 m down on a patch 3 m wide. Chosen.
+const OF_BEAMS: usize = 3;
+
+/// Points along each side of a cell at which a step is looked for. Chosen: of a disk that reaches into a cell of its
+/// own width between two of them 0.3 % are left out.
+const ALONG_A_SIDE: usize = 4;
+
+/// Distance of these points from the border, over the width of the cell. Chosen: the border of a patch may touch
+/// another surface, and what lies beyond is a strip of a hundredth of the finest cells.
+const INSET: f64 = 0.01;
+
 /// A cell whose field varies by less than this multiple of the accuracy is not divided for that: its bilinear
 /// function follows most of a variation. With a larger value small shadows are overlooked; with a smaller one
 /// all cells of slowly varying fields are made.
@@ -68,6 +92,17 @@ pub(crate) struct Tree {
     pub(crate) radiance: Option<Radiance>,
 }
 
+/// Steps of a field over an element.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Steps {
+    /// None but at corners and edges: the light of surfaces.
+    Nowhere,
+    /// Edges of shadows: the light of points.
+    Shadows,
+    /// Borders of what the sun or a narrow beam lights, too.
+    Beams,
+}
+
 /// A field over an element: writes the value of each channel at a node of a patch.
 pub(crate) type Field<'a> = &'a dyn Fn(&Node, &mut [f64]);
 
@@ -85,18 +120,40 @@ impl Tree {
         Self { radiance, ..self }
     }
 
+    /// The zenith of the sky behind it, if it is an opening.
+    pub(crate) fn zenith(&self) -> Option<DVec3> {
+        self.radiance.as_ref()?.zenith()
+    }
+
+    /// The radiance of an opening to a sky; None of other emitters.
+    pub(crate) fn opening(&self) -> Option<&Radiance> {
+        self.radiance.as_ref().filter(|own| own.zenith().is_some())
+    }
+
+    /// Whether it is an opening in which one of `points`, or a point between them, may see the horizon.
+    pub(crate) fn meets_horizon(&self, points: &[DVec3]) -> bool {
+        let Some(zenith) = self.zenith() else { return false };
+        let heights = |some: &[DVec3]| {
+            let heights = some.iter().map(|x| x.dot(zenith));
+            heights.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), h| (low.min(h), high.max(h)))
+        };
+        let ((own_low, own_high), (low, high)) = (heights(&self.bounds.corners()), heights(points));
+        low < own_high && high > own_low
+    }
+
     /// The element as a sender of light, for lists of occluders.
     pub(crate) fn sender(&self) -> Sender {
         Sender { surface: self.surface, plane: self.plane, bounds: self.bounds }
     }
 
     /// The tree of an element with `field`, whose channels have the positive `scale`; it resolves the field
-    /// to about the accuracy `eps` relative to the scale.
-    pub(crate) fn new(element: &Element, scale: &[f64], eps: f64, field: Field<'_>) -> Self {
+    /// to about the accuracy `eps` relative to the scale, and its `steps`.
+    pub(crate) fn new(element: &Element, scale: &[f64], steps: Steps, eps: f64, field: Field<'_>) -> Self {
         // ⌈N/4⌉ quarterings: the 2 × 2 points per cell then see every polynomial of the element.
-        let least = element.basis.total_degree().div_ceil(4);
+        let beams = if steps == Steps::Beams { OF_BEAMS } else { 0 };
+        let least = element.basis.total_degree().div_ceil(4).max(beams);
         Self::grown(element, scale, |bare, scale| {
-            let growth = Growth { field, scale, least, rough: FINE * eps, bent: BENT * eps };
+            let growth = Growth { field, scale, least, steps, rough: FINE * eps, bent: BENT * eps };
             growth.of(bare)
         })
     }
@@ -129,6 +186,7 @@ struct Growth<'a> {
     scale: &'a [f64],
     /// Levels that are divided in any case.
     least: usize,
+    steps: Steps,
     /// Variation over the scale above which a cell is divided.
     rough: f64,
     /// Limit BENT ε.
@@ -138,21 +196,34 @@ struct Growth<'a> {
 impl Growth<'_> {
     fn of(&self, bare: Cell) -> Cell {
         let cell = with_field(bare, self.scale, self.field);
-        self.divided(cell, Border::WHOLE, 0, false)
+        self.divided(cell, Border::WHOLE, 0, Above { bends: false, has_step: false })
     }
 
-    /// The cell with the quarters that it needs; `bends` says whether the bilinear function of the cell above
-    /// misses it.
-    fn divided(&self, mut cell: Cell, border: Border, level: usize, bends: bool) -> Cell {
+    /// The cell with the quarters that it needs below a cell of which is known how it follows the field.
+    fn divided(&self, mut cell: Cell, border: Border, level: usize, above: Above) -> Cell {
         let varies = level < EVEN && cell.spread > self.rough;
-        if level == MOST_QUARTERINGS_OF_FIELD || !(level < self.least || varies || bends) {
+        if level == MOST_QUARTERINGS_OF_FIELD || !(level < self.least || varies || above.bends) {
+            if above.has_step {
+                self.settle(&mut cell);
+            }
             return cell;
         }
-        let quarters = cell.bare_quarters().map(|quarter| with_field(quarter, self.scale, self.field));
-        let misfit = cell.misfit(&quarters, self.scale);
-        let jumps = misfit > JUMP * cell.spread;
-        let borders = border.of_quarters(cell.directions());
         let width = 0.5f64.powi(level as i32 + 1);
+        let quarters = cell.bare_quarters().map(|quarter| with_field(quarter, self.scale, self.field));
+        let mut misfit = cell.misfit(&quarters, self.scale);
+        let seen = |border: &Border| match border.touched() {
+            0 => BENT / BEYOND * width * width,
+            1 => width,
+            _ => 1.0,
+        };
+        let is_asked = above.has_step || (self.steps == Steps::Beams && level < OF_BEAMS);
+        if is_asked && misfit <= self.bent {
+            let at_border = self.misfit_at_border(&cell);
+            misfit = misfit.max(if at_border > JUMP * cell.spread { at_border } else { 0.0 });
+        }
+        let jumps = misfit > JUMP * cell.spread;
+        let has_step = self.steps != Steps::Nowhere && (jumps || misfit > self.bent);
+        let borders = border.of_quarters(cell.directions());
         let mut index = 0;
         let quarters = quarters.map(|mut quarter| {
             let border = borders[index];
@@ -160,16 +231,68 @@ impl Growth<'_> {
             if jumps {
                 quarter.mark_rough();
             }
-            let seen = match border.touched() {
-                0 => BENT / BEYOND * width * width,
-                1 => width,
-                _ => 1.0,
-            };
-            self.divided(quarter, border, level + 1, misfit * seen > self.bent)
+            let above = Above { bends: misfit * seen(&border) > self.bent, has_step };
+            self.divided(quarter, border, level + 1, above)
         });
         cell.divide(quarters, self.scale);
         cell
     }
+
+    /// Gives a cell beside a step its mean by more points.
+    fn settle(&self, cell: &mut Cell) {
+        let mut sum = Residuals { area: 0.0, of_channels: vec![0.0; self.scale.len()], largest: 0.0 };
+        (0..ASKED).for_each(|k| self.add_residual(cell, kronecker::point(k), &mut sum));
+        if sum.largest > self.bent {
+            (ASKED..SETTLED).for_each(|k| self.add_residual(cell, kronecker::point(k), &mut sum));
+        }
+        let means: Vec<f64> = sum.of_channels.iter().map(|residual| residual / sum.area).collect();
+        cell.shift(&means, self.scale);
+    }
+
+    /// Adds the difference of the field from the bilinear function of a cell at a place.
+    fn add_residual(&self, cell: &Cell, place: [f64; 2], sum: &mut Residuals) {
+        let node = cell.node(place);
+        let mut values = vec![0.0; self.scale.len()];
+        (self.field)(&node, &mut values);
+        sum.area += node.area;
+        for (channel, (value, scale)) in values.iter().zip(self.scale).enumerate() {
+            let residual = value - cell.bilinear(place, channel);
+            sum.of_channels[channel] += node.area * residual;
+            sum.largest = sum.largest.max(residual.abs() / scale);
+        }
+    }
+
+    /// Largest difference of the field along the border of a cell from its bilinear function, over the channel's
+    /// scale.
+    fn misfit_at_border(&self, cell: &Cell) -> f64 {
+        let mut sum = Residuals { area: 0.0, of_channels: vec![0.0; self.scale.len()], largest: 0.0 };
+        let inwards = |place: f64| place + INSET * (1.0 - 2.0 * place);
+        for k in 0..ALONG_A_SIDE {
+            let part = k as f64 / ALONG_A_SIDE as f64;
+            let places = [[part, 0.0], [1.0, part], [1.0 - part, 1.0], [0.0, 1.0 - part]];
+            places.iter().for_each(|place| self.add_residual(cell, place.map(inwards), &mut sum));
+        }
+        sum.largest
+    }
+}
+
+/// Differences of a field from the bilinear function of a cell at some places.
+struct Residuals {
+    /// Sum of the area elements there.
+    area: f64,
+    /// Sum per channel, by area.
+    of_channels: Vec<f64>,
+    /// The largest, over the scale of its channel.
+    largest: f64,
+}
+
+/// How the cell above one follows the field.
+#[derive(Clone, Copy)]
+struct Above {
+    /// Whether its bilinear function misses it.
+    bends: bool,
+    /// Whether a step may be in it.
+    has_step: bool,
 }
 
 fn with_field(bare: Cell, scale: &[f64], field: Field<'_>) -> Cell {

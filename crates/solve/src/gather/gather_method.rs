@@ -4,7 +4,8 @@
 //! their tables and again for each point, little more where more digits are asked for; least in small rooms of flat
 //! things. Rays ([`crate::gather::ray_gather`]) cost about the same whatever the scene is, and ε^(−4/3). Both take
 //! what surfaces reflect from the polynomials of the solution. Walks (`super::walked_light`) take nothing from them,
-//! and cost ε⁻²: they are never chosen here, but by who knows what else a solution would take to be as accurate.
+//! and cost ε⁻²: they are chosen here for points in narrow gaps alone (`super::narrow_gaps`), elsewhere by who knows
+//! what else a solution would take to be as accurate.
 
 use radiosity_light::receiver_point::ReceiverPoint;
 use radiosity_visibility::Visibility;
@@ -12,6 +13,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::gather::Gather;
 use crate::gather::cell_price::CellPrice;
+use crate::gather::narrow_gaps::NarrowGaps;
 use crate::gather::ray_count::{usual_rays, usual_walks};
 use crate::gather::ray_gather::{Beyond, RayGather};
 use crate::gather::read_irradiance::ReadIrradiance;
@@ -46,32 +48,46 @@ pub enum GatherMethod {
     Walks,
 }
 
-/// Light that is gathered at points in one of the ways.
+/// Light that is gathered in one of the ways.
 #[derive(Debug)]
-pub enum Gathering<'a> {
+pub enum GatheredBy<'a> {
     /// By cells.
     Cells(Gather<'a>),
     /// By rays, or by walks.
     Rays(RayGather<'a>),
 }
 
-impl Gathering<'_> {
+/// Light that is gathered in one of the ways, at points in narrow gaps by walks.
+#[derive(Debug)]
+pub struct Gathering<'a> {
+    by: GatheredBy<'a>,
+    /// None where walks gather all light.
+    gaps: Option<NarrowGaps<'a>>,
+}
+
+impl<'a> Gathering<'a> {
+    /// The way in which light is gathered outside narrow gaps.
+    pub fn by(&self) -> &GatheredBy<'a> {
+        &self.by
+    }
+
     /// All light of a point.
     pub fn read(&self, receiver: &ReceiverPoint) -> ReadIrradiance {
-        match self {
-            Self::Cells(gather) => gather.at(receiver).into(),
-            Self::Rays(gather) => gather.read(&Receiver::Point(*receiver)),
-        }
+        let in_gap = self.gaps.as_ref().and_then(|gaps| gaps.read(receiver));
+        in_gap.unwrap_or_else(|| match &self.by {
+            GatheredBy::Cells(gather) => gather.at(receiver).into(),
+            GatheredBy::Rays(gather) => gather.read(&Receiver::Point(*receiver)),
+        })
     }
 
     /// The reflected light of a point, one of many, beside the direct light `lit` (W m⁻² per band).
     pub fn reflected(&self, receiver: &ReceiverPoint, lit: &[f64]) -> ReadIrradiance {
-        match self {
-            Self::Cells(gather) => {
+        match &self.by {
+            GatheredBy::Cells(gather) => {
                 let around = gather.reflection().around(&receiver.site());
                 gather.reflection().irradiance(receiver, &around, lit).into()
             }
-            Self::Rays(gather) => gather.reflected(receiver, lit),
+            GatheredBy::Rays(gather) => gather.reflected(receiver, lit),
         }
     }
 }
@@ -88,15 +104,17 @@ impl GatherMethod {
         points: f64,
         twice: bool,
     ) -> Gathering<'a> {
-        let by_rays = |beyond| Gathering::Rays(RayGather::new(solution, visibility, rougher * eps, beyond));
-        match twice {
+        let by_rays = |beyond| GatheredBy::Rays(RayGather::new(solution, visibility, rougher * eps, beyond));
+        let by = match twice {
             _ if self == Self::Walks => by_rays(Beyond::Walked),
             _ if self.rays(solution, visibility, eps, rougher * eps, points, twice) => {
                 by_rays(if twice { Beyond::Gathered } else { Beyond::Polynomials })
             }
-            true => Gathering::Cells(Gather::twice(solution, visibility, eps)),
-            false => Gathering::Cells(Gather::new(solution, visibility, eps)),
-        }
+            true => GatheredBy::Cells(Gather::twice(solution, visibility, eps)),
+            false => GatheredBy::Cells(Gather::new(solution, visibility, eps)),
+        };
+        let gaps = if self == Self::Walks { None } else { NarrowGaps::of(solution, visibility, eps) };
+        Gathering { by, gaps }
     }
 
     /// Whether rays gather light to the relative accuracy `by_rays`, where cells would to `by_cells`.

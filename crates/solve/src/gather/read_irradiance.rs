@@ -20,6 +20,14 @@ pub struct Deviation {
     pub is_dark: bool,
 }
 
+impl ReadIrradiance {
+    /// The irradiance with `other` light (W m⁻² per band), as well known as the rest.
+    pub fn with(mut self, other: &[f64]) -> Self {
+        self.irradiance.iter_mut().zip(other).for_each(|(sum, other)| *sum += other);
+        self
+    }
+}
+
 impl From<Vec<f64>> for ReadIrradiance {
     fn from(irradiance: Vec<f64>) -> Self {
         Self { irradiance, deviation: None }

@@ -8,11 +8,13 @@
 //! ```
 
 use radiosity_audit::{Effort, Estimate, Judged, Mean, Referee, Spot, Verdict, WalkCost, evenly};
+use radiosity_light::receiver_point::ReceiverPoint;
 use radiosity_work::Work;
 use radiosity_work::ranks::PartName;
 
 use super::sensor::Sensor;
 use crate::gather::gather_method::SOME_POINTS;
+use crate::gather::standpoint::Standpoint;
 use crate::gather::surface_point::SurfacePoint;
 use crate::goal::{Aim, Goal};
 use crate::solved::Solved;
@@ -98,7 +100,19 @@ impl Judge {
         let usual = if run.outcome.sampling.is_some() { f64::INFINITY } else { USUAL_EPS };
         let eps = Goal::reading(goal.accuracy).min(usual);
         let gathering = goal.by.gathering(solution, run.visibility(), eps, 1.0, SOME_POINTS, false);
-        let read = |place: usize| gathering.read(&self.sensors[place].point).irradiance;
+        let read = |place: usize| {
+            let ReceiverPoint { position, normal, ground, .. } = self.sensors[place].point;
+            let read = gathering.read(&self.sensors[place].point);
+            let tilted = || Standpoint::find(solution.elements(), run.visibility(), position, normal);
+            match ground.map(|_| tilted()) {
+                Some(Standpoint::On(point)) => {
+                    let of = |band| solution.radiosity(band, point.element, &point.place);
+                    let radiosity: Vec<f64> = (0..solution.bands().len()).map(of).collect();
+                    read.with(&point.own_light(solution, normal, &radiosity)).irradiance
+                }
+                _ => read.irradiance,
+            }
+        };
         work.ranks.map_even(PartName::SensorLight, self.sensors.len(), 1, read)
     }
 
@@ -108,10 +122,10 @@ impl Judge {
         let bands = 0..solution.bands().len();
         let read = |sensor: &Sensor| {
             let (x, normal) = (sensor.point.position, sensor.point.normal);
-            let found = SurfacePoint::find(solution.elements(), run.visibility(), x, normal);
+            let found = Standpoint::find(solution.elements(), run.visibility(), x, normal);
             let value = |band| {
                 let of = |point: &SurfacePoint| solution.irradiance(band, point.element, &point.place);
-                found.as_ref().map_or(0.0, of)
+                found.on().map_or(0.0, of)
             };
             bands.clone().map(value).collect()
         };

@@ -12,6 +12,7 @@ use radiosity_geom::DVec3;
 use radiosity_light::receiver_point::ReceiverPoint;
 use radiosity_visibility::Visibility;
 
+use crate::gather::standpoint::Standpoint;
 use crate::gather::surface_point::SurfacePoint;
 use crate::solution::{Band, Solution, SurfacePlace};
 
@@ -63,10 +64,9 @@ impl Sensor {
             _ => 1.0,
         };
         let sensor = |[position, normal]: [DVec3; 2]| {
-            let point = SurfacePoint::find(solution.elements(), visibility, position, normal);
-            let weights = solution.bands().iter().map(|band| weight(point.as_ref(), band)).collect();
-            let free = || ReceiverPoint::free(position, normal);
-            Self { point: point.map_or_else(free, |point| point.receiver_point(normal)), weights }
+            let standpoint = Standpoint::find(solution.elements(), visibility, position, normal);
+            let weights = solution.bands().iter().map(|band| weight(standpoint.on(), band)).collect();
+            Self { point: standpoint.receiver_point(normal), weights }
         };
         evenly(goal.points.iter().copied(), goal.points.len(), MOST, 0).map(sensor).collect()
     }
