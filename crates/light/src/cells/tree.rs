@@ -245,8 +245,10 @@ impl Growth<'_> {
         if sum.largest > self.bent {
             (ASKED..SETTLED).for_each(|k| self.add_residual(cell, kronecker::point(k), &mut sum));
         }
-        let means: Vec<f64> = sum.of_channels.iter().map(|residual| residual / sum.area).collect();
-        cell.shift(&means, self.scale);
+        if sum.area > 0.0 {
+            let means: Vec<f64> = sum.of_channels.iter().map(|residual| residual / sum.area).collect();
+            cell.shift(&means, self.scale);
+        }
     }
 
     /// Adds the difference of the field from the bilinear function of a cell at a place.

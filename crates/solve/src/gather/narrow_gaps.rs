@@ -17,6 +17,10 @@ use crate::solution::Solution;
 /// outside comes to its middle. Chosen.
 const NARROW: f64 = 0.03;
 
+/// Height of a gap over the diagonal of the scene up to which it is narrow: mats lie closer, and storeys, however wide,
+/// are higher. Chosen.
+const NARROW_IN_SCENE: f64 = 0.01;
+
 /// Finest accuracy that is asked of walks there, relative to the light of the whole scene where less arrives. Chosen:
 /// a point takes a second at the most.
 const IN_GAPS: f64 = 5e-3;
@@ -52,9 +56,11 @@ impl<'a> NarrowGaps<'a> {
     fn holds(&self, receiver: &ReceiverPoint) -> bool {
         let up = receiver.ground.unwrap_or(receiver.normal);
         let extent = |surface: usize| self.solution.elements().shape(surface).bounds(&Rect::FULL).diagonal();
+        let most = NARROW_IN_SCENE * self.visibility.bounds().diagonal();
         receiver.surface.is_some_and(|surface| {
             self.visibility.nearest_from(surface, receiver.position, up).is_some_and(|met| {
-                met.surface != surface && met.hit.t <= NARROW * extent(surface).min(extent(met.surface))
+                let narrow = NARROW * extent(surface).min(extent(met.surface));
+                met.surface != surface && met.hit.t <= most.min(narrow)
             })
         })
     }
