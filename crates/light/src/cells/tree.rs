@@ -18,10 +18,10 @@
 //! light peaks.
 //!
 //! The light of the sun and of luminaires has steps: the border of a sun's patch, the edge of a spot, shadows.
-//! The light of points has steps: a step that cuts a cell cuts its border. So a cell beside a step, whose points and
+//! A step that enters a cell from beside it crosses the border of the cell. So a cell beside a step, whose points and
 //! quarters see none, is asked along its border too; where beams may light a small part of a patch, so are all
-//! cells of [`OF_BEAMS`] levels. A cell that keeps a step takes its mean from more points: along the sides of cells
-//! a step errs alike in all of a row.
+//! cells of [`OF_BEAMS`] levels. A cell that is not divided further beside a step takes its mean from more points:
+//! where a step runs along the sides of cells, four points would err in one direction in a whole row of them.
 
 use radiosity_elements::Element;
 use radiosity_elements::patch::Node;
@@ -53,21 +53,23 @@ const BEYOND: f64 = 1.0;
 /// variation, as it does at a step; it misses a bend by less.
 const JUMP: f64 = 0.5;
 
-/// Points of a cell beside its own that tell whether a step is in it, and points for its mean if one is. Measured
-/// with patches of the sun beside quadrature: with 8 and no more the light of a small one erred by up to 1.3 %.
+/// Points for the mean of a cell beside a step, in which no step is found. Chosen.
 const ASKED: u64 = 8;
+
+/// Points for the mean of a cell in which a step is found. Measured with patches of the sun beside quadrature: with 8
+/// the light of a small patch erred by up to 1.3 %.
 const SETTLED: u64 = 32;
 
 /// Levels that are all made where beams may light a part of a patch alone: down to an eighth, so that points lie
 /// closer than the spot of 10° is wide that shines 3 m down on a patch 3 m wide. Chosen.
 const OF_BEAMS: usize = 3;
 
-/// Points along each side of a cell at which a step is looked for. Chosen: of a disk that reaches into a cell of its
-/// own width between two of them 0.3 % are left out.
+/// Points along each side of a cell at which a step is looked for. Chosen: the part of a lit disk that enters a cell
+/// unseen, between two of these points, is below 0.3 % of it if the disk is as wide as the cell.
 const ALONG_A_SIDE: usize = 4;
 
 /// Distance of these points from the border, over the width of the cell. Chosen: the border of a patch may touch
-/// another surface, and what lies beyond is a strip of a hundredth of the finest cells.
+/// another surface, and a step in the strip outside these points lights or shades 1 % of the cell.
 const INSET: f64 = 0.01;
 
 /// A cell whose field varies by less than this multiple of the accuracy is not divided for that: its bilinear
@@ -240,7 +242,7 @@ impl Growth<'_> {
 
     /// Gives a cell beside a step its mean by more points.
     fn settle(&self, cell: &mut Cell) {
-        let mut sum = Residuals { area: 0.0, of_channels: vec![0.0; self.scale.len()], largest: 0.0 };
+        let mut sum = Residuals::none(self.scale.len());
         (0..ASKED).for_each(|k| self.add_residual(cell, kronecker::point(k), &mut sum));
         if sum.largest > self.bent {
             (ASKED..SETTLED).for_each(|k| self.add_residual(cell, kronecker::point(k), &mut sum));
@@ -267,7 +269,7 @@ impl Growth<'_> {
     /// Largest difference of the field along the border of a cell from its bilinear function, over the channel's
     /// scale.
     fn misfit_at_border(&self, cell: &Cell) -> f64 {
-        let mut sum = Residuals { area: 0.0, of_channels: vec![0.0; self.scale.len()], largest: 0.0 };
+        let mut sum = Residuals::none(self.scale.len());
         let inwards = |place: f64| place + INSET * (1.0 - 2.0 * place);
         for k in 0..ALONG_A_SIDE {
             let part = k as f64 / ALONG_A_SIDE as f64;
@@ -286,6 +288,13 @@ struct Residuals {
     of_channels: Vec<f64>,
     /// The largest, over the scale of its channel.
     largest: f64,
+}
+
+impl Residuals {
+    /// No differences yet.
+    fn none(channels: usize) -> Self {
+        Self { area: 0.0, of_channels: vec![0.0; channels], largest: 0.0 }
+    }
 }
 
 /// How the cell above one follows the field.
