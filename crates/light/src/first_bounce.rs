@@ -74,6 +74,20 @@ pub struct Bounce {
     pub apart: BTreeMap<usize, Vec<Vec<f64>>>,
 }
 
+/// A node of the rule for d on an element.
+#[derive(Clone, Copy, Debug)]
+pub struct NumberedNode<'n> {
+    /// The node.
+    pub node: &'n Node,
+    /// Its number among those of the element, from 0 on, neighbours near each other.
+    pub number: usize,
+    /// Number of nodes on the element.
+    pub count: usize,
+}
+
+/// Irradiance (W m⁻²) per band at a node of the rule for d on an element.
+pub type IrradianceAtNode<'a> = &'a (dyn Fn(usize, &NumberedNode<'_>) -> Vec<f64> + Sync);
+
 /// Direct light that is given at points.
 #[derive(Clone, Copy)]
 pub struct GivenLight<'a> {
@@ -91,6 +105,9 @@ pub enum DirectLightEntry {
     /// Light of surfaces enters as exitance, that of luminaires by the coefficients of its irradiance,
     /// element by element, per band (W m⁻² times scene length).
     Lit(Vec<Vec<f64>>),
+    /// All direct light by the coefficients of its irradiance, element by element, per band (W m⁻² times scene
+    /// length); what surfaces reflect of it is carried.
+    Arrived(Vec<Vec<f64>>),
     /// Direct light and the first bounce are split off the solution.
     Split(Bounce),
 }
@@ -100,8 +117,9 @@ pub fn lit_by(sources: &Emitters<'_>, visibility: &Visibility, ranks: &Ranks) ->
     let Emitters { elements, ref coatings, points, .. } = *sources;
     let lamps: Vec<[DVec3; 2]> = points.ends().collect();
     let halvings = if points.has_sun() { SUNNY_HALVINGS } else { DIRECT_HALVINGS };
-    let lit = |index: usize, node: &Node| {
+    let lit = |index: usize, own: &NumberedNode<'_>| {
         let mut lit = vec![0.0; coatings.len()];
+        let NumberedNode { node, .. } = *own;
         let receiver = ReceiverPoint::on(elements[index].surface, node.position, node.normal);
         points.add(&receiver, visibility, &mut lit);
         lit
@@ -109,11 +127,28 @@ pub fn lit_by(sources: &Emitters<'_>, visibility: &Visibility, ranks: &Ranks) ->
     coefficients(sources, &Peaks { lamps: &lamps, halvings }, &lit, ranks)
 }
 
+/// The coefficients of the irradiance `lit` from elements and of that from luminaires, per band (W m⁻² times scene
+/// length).
+pub fn arrived(
+    sources: &Emitters<'_>,
+    visibility: &Visibility,
+    lit: IrradianceAtNode<'_>,
+    ranks: &Ranks,
+) -> Vec<Vec<f64>> {
+    let mut d = coefficients(sources, &Peaks::NONE, lit, ranks);
+    if !sources.points.is_empty() {
+        let of_points = lit_by(sources, visibility, ranks);
+        let pairs = d.iter_mut().flatten().zip(of_points.iter().flatten());
+        pairs.for_each(|(sum, own)| *sum += own);
+    }
+    d
+}
+
 /// The coefficients of the direct irradiance `lit` per band (W m⁻² times scene length).
 fn coefficients(
     sources: &Emitters<'_>,
     peaks: &Peaks<'_>,
-    lit: IrradianceAt<'_>,
+    lit: IrradianceAtNode<'_>,
     ranks: &Ranks,
 ) -> Vec<Vec<f64>> {
     let Emitters { elements, ref coatings, .. } = *sources;
@@ -166,13 +201,8 @@ impl CoatedBounce {
         let eps = eps.min(LOOSEST);
         let direct = DirectLight::within(sources, visibility, eps);
         let lit = |element: usize, node: &Node| direct.at(element, node.position, node.normal);
-        let of_elements = |element: usize, node: &Node| direct.of_elements_at(element, node);
-        let mut d = coefficients(sources, &Peaks::NONE, &of_elements, ranks);
-        if !sources.points.is_empty() {
-            let of_points = lit_by(sources, visibility, ranks);
-            let pairs = d.iter_mut().flatten().zip(of_points.iter().flatten());
-            pairs.for_each(|(sum, own)| *sum += own);
-        }
+        let of_elements = |element: usize, own: &NumberedNode<'_>| direct.of_elements_at(element, own.node);
+        let d = arrived(sources, visibility, &of_elements, ranks);
         Self::reflected(sources, visibility, GivenLight { lit: &lit, apart: &[] }, d, eps, ranks)
     }
 
@@ -184,7 +214,8 @@ impl CoatedBounce {
         eps: f64,
         ranks: &Ranks,
     ) -> Self {
-        let d = coefficients(sources, &Peaks::NONE, light.lit, ranks);
+        let lit = |element: usize, own: &NumberedNode<'_>| (light.lit)(element, own.node);
+        let d = coefficients(sources, &Peaks::NONE, &lit, ranks);
         Self::reflected(sources, visibility, light, d, eps, ranks)
     }
 
@@ -250,18 +281,28 @@ fn of_direct(
     element: &Element,
     peaks: &Peaks<'_>,
     bands: usize,
-    lit: &dyn Fn(&Node) -> Vec<f64>,
+    lit: &dyn Fn(&NumberedNode<'_>) -> Vec<f64>,
 ) -> Vec<Vec<f64>> {
     let mut sums = Sums::new(element, bands);
     let points = (element.basis.order() >> peaks.halvings) + 2;
     let whole = element.patches.iter().flat_map(|patch| cells(patch, peaks.halvings));
     let mut open: Vec<(Patch, usize)> = whole.map(|cell| (cell, 0)).collect();
+    let mut small = Vec::with_capacity(open.len());
     while let Some((cell, depth)) = open.pop() {
         if depth < MOST_QUARTERINGS_AT_LUMINAIRE && is_peaked(&cell, peaks.lamps) {
             open.extend(cells(&cell, 1).into_iter().map(|quarter| (quarter, depth + 1)));
         } else {
-            sums.add(&cell, points, lit);
+            small.push(cell);
         }
+    }
+    let count = small.len() * points * points;
+    let mut number = 0;
+    for cell in small {
+        sums.add(&cell, points, |node| {
+            let lit = lit(&NumberedNode { node, number, count });
+            number += 1;
+            lit
+        });
     }
     sums.finish()
 }
@@ -343,7 +384,7 @@ impl<'a> Sums<'a> {
     }
 
     /// Adds the integral over a cell by the Gauss rule of `points` × `points` points.
-    fn add(&mut self, cell: &Patch, points: usize, value: impl Fn(&Node) -> Vec<f64>) {
+    fn add(&mut self, cell: &Patch, points: usize, mut value: impl FnMut(&Node) -> Vec<f64>) {
         let basis = &self.element.basis;
         let rule = UnitRule::of(points);
         for ((s, ws), (t, wt)) in rule.iter().flat_map(|s| rule.iter().map(move |t| (s, t))) {

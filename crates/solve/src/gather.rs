@@ -19,6 +19,7 @@ pub mod read_irradiance;
 pub mod receiver;
 mod ray_count;
 mod sent_rays;
+pub(crate) mod direct_by_rays;
 mod walked_light;
 pub mod ray_gather;
 mod narrow_gaps;

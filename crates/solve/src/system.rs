@@ -145,6 +145,11 @@ impl<'a> System<'a> {
         match entry {
             DirectLightEntry::Carried => Self::new(elements, blocks, coating),
             DirectLightEntry::Lit(lit) => Self::lit(elements, blocks, coating, lit[band].clone()),
+            DirectLightEntry::Arrived(direct) => {
+                let direct = direct[band].clone();
+                let once = blocks.apply(&coating.reflected(blocks.starts(), &direct));
+                Self::split(elements, blocks, coating, direct, once)
+            }
             DirectLightEntry::Split(Bounce { direct, reflected, .. }) => {
                 Self::split(elements, blocks, coating, direct[band].clone(), reflected[band].clone())
             }

@@ -65,6 +65,10 @@ impl Balance {
                         sums[2].add((radiosity[k] - waits(k)) * lost);
                         sums[2].add(-one * lit[index][k]);
                     }
+                    DirectLightEntry::Arrived(direct) => {
+                        sums[2].add(one * (exitance[k] - direct[index][k]));
+                        sums[2].add((scattered[k] - waits(k)) * lost);
+                    }
                     DirectLightEntry::Split(Bounce { direct, reflected, .. }) => {
                         let (direct, once) = (direct[index][k], reflected[index][k]);
                         sums[2].add(one * (exitance[k] - direct));

@@ -6,7 +6,9 @@ use radiosity_elements::Elements;
 use radiosity_elements::coating::Coating;
 use radiosity_elements::patch::Node;
 use radiosity_light::emitters::Emitters;
-use radiosity_light::first_bounce::{Bounce, CoatedBounce, DirectLightEntry, GivenLight, lit_by};
+use radiosity_light::first_bounce::{
+    Bounce, CoatedBounce, DirectLightEntry, GivenLight, NumberedNode, arrived, lit_by,
+};
 use radiosity_published::bases::Subspace;
 use radiosity_published::zatz1993::mask_setting::Setting;
 use radiosity_published::zatz1993::masked_light::MaskedLight;
@@ -15,8 +17,10 @@ use radiosity_scene::Scene;
 use radiosity_visibility::Visibility;
 use radiosity_work::ranks::Ranks;
 
+use super::direct::Direct;
 use super::emission::Emission;
 use super::options::Options;
+use crate::gather::direct_by_rays::DirectByRays;
 use crate::system::Coefficients;
 use crate::tolerances::POINT_OVER_BLOCK;
 
@@ -27,6 +31,8 @@ pub(super) struct LitScene<'a> {
     pub elements: &'a Elements,
     pub visibility: &'a Visibility,
     pub options: &'a Options,
+    /// Whether rays carry the light between elements.
+    pub is_sampled: bool,
     pub ranks: &'a Ranks,
 }
 
@@ -53,6 +59,8 @@ enum DirectEntry {
     Carried,
     /// Direct irradiance that enters as in [`DirectLightEntry::Lit`].
     Lit(Vec<Vec<f64>>),
+    /// Direct irradiance that enters as in [`DirectLightEntry::Arrived`].
+    Arrived(Vec<Vec<f64>>),
     Split(CoatedBounce),
 }
 
@@ -104,6 +112,7 @@ impl EnteringLight {
         let entry = match self.entry {
             DirectLightEntry::Carried => DirectLightEntry::Carried,
             DirectLightEntry::Lit(lit) => DirectLightEntry::Lit(projected(lit)),
+            DirectLightEntry::Arrived(direct) => DirectLightEntry::Arrived(projected(direct)),
             DirectLightEntry::Split(Bounce { direct, reflected, apart }) => {
                 let [direct, reflected] = [direct, reflected].map(projected);
                 let apart = apart.into_iter().map(|(element, own)| (element, projected(own))).collect();
@@ -125,10 +134,10 @@ impl FirstLight {
         &self.emissions
     }
 
-    /// The first light of `emissions`; `by_rules` says whether the transfers are those of the default kernel
-    /// without changes.
-    pub(super) fn of(lit_scene: &LitScene<'_>, emissions: Vec<Emission>, by_rules: bool) -> Self {
-        let LitScene { elements, visibility, options, .. } = *lit_scene;
+    /// The first light of `emissions`.
+    pub(super) fn of(lit_scene: &LitScene<'_>, emissions: Vec<Emission>) -> Self {
+        let LitScene { elements, visibility, options, is_sampled, .. } = *lit_scene;
+        let by_rules = options.kernel.is_none() && !is_sampled;
         let all: Vec<Emitters<'_>> = emissions.iter().map(|own| own.emitters(elements.list())).collect();
         let is_split = options.masks.is_some() || options.direct.splits(&all, visibility, by_rules);
         Self::as_split(lit_scene, emissions, is_split)
@@ -161,17 +170,20 @@ impl EmissionLight {
         masks: Option<Arc<MaskedPairs>>,
         is_split: bool,
     ) -> Self {
-        let LitScene { elements, visibility, options, ranks, .. } = *lit_scene;
+        let LitScene { elements, visibility, options, is_sampled, ranks, .. } = *lit_scene;
         let sources = emission.emitters(elements.list());
         let masked = masks.as_ref().map(|masks| masks.light(elements, &sources.coatings, None));
+        let eps = POINT_OVER_BLOCK * options.shadow_eps;
         let direct = match masks.as_ref().zip(masked.as_ref()) {
             Some((masks, masked)) => {
                 DirectEntry::Split(bounce_through_masks(lit_scene, &sources, masks, masked))
             }
-            None if is_split => {
-                let eps = POINT_OVER_BLOCK * options.shadow_eps;
-                DirectEntry::Split(CoatedBounce::new(&sources, visibility, eps, ranks))
+            None if is_split && is_sampled && options.direct == Direct::Auto => {
+                let rays = DirectByRays::of(elements, &sources, visibility, eps);
+                let lit = |element: usize, own: &NumberedNode<'_>| rays.at(element, own);
+                DirectEntry::Arrived(arrived(&sources, visibility, &lit, ranks))
             }
+            None if is_split => DirectEntry::Split(CoatedBounce::new(&sources, visibility, eps, ranks)),
             None if sources.points.is_empty() => DirectEntry::Carried,
             None => DirectEntry::Lit(lit_by(&sources, visibility, ranks)),
         };
@@ -186,6 +198,7 @@ impl EmissionLight {
         let entry = match &self.direct {
             DirectEntry::Carried => DirectLightEntry::Carried,
             DirectEntry::Lit(lit) => DirectLightEntry::Lit(lit.clone()),
+            DirectEntry::Arrived(direct) => DirectLightEntry::Arrived(direct.clone()),
             DirectEntry::Split(bounce) => {
                 DirectLightEntry::Split(bounce.repainted(&old.list(), &new.list())?)
             }
@@ -212,7 +225,7 @@ fn bounce_through_masks(
 
 /// The masked pairs of a scene with these emissions, where masks are asked for.
 fn masked_pairs(lit_scene: &LitScene<'_>, emissions: &[Emission]) -> Option<MaskedPairs> {
-    let LitScene { scene, elements, visibility, options, ranks } = *lit_scene;
+    let LitScene { scene, elements, visibility, options, ranks, .. } = *lit_scene;
     let how = options.masks?;
     let open = Visibility::open(scene);
     let coatings: Vec<&Coating> = emissions.iter().flat_map(Emission::list).collect();

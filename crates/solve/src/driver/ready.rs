@@ -72,10 +72,15 @@ impl Ready {
         work.report(Progress::Finished { stage: Stage::Elements, took: seconds.elements });
         let Decisions { visibility, choice, rays, .. } = decisions;
         let emissions = Emission::all(scene, elements.list());
-        let lit_scene =
-            LitScene { scene, elements: &elements, visibility: &visibility, options, ranks: work.ranks };
-        let by_rules = options.kernel.is_none() && !choice.sampled;
-        let first = timed(&mut seconds.direct, || FirstLight::of(&lit_scene, emissions, by_rules));
+        let lit_scene = LitScene {
+            scene,
+            elements: &elements,
+            visibility: &visibility,
+            options,
+            is_sampled: choice.sampled,
+            ranks: work.ranks,
+        };
+        let first = timed(&mut seconds.direct, || FirstLight::of(&lit_scene, emissions));
         if first.is_split {
             work.report(Progress::Finished { stage: Stage::Direct, took: seconds.direct });
         }
@@ -114,8 +119,8 @@ impl Ready {
 
     /// A scene of these surfaces, as direct light is computed from it.
     pub(super) fn lit_scene<'a>(&'a self, scene: &'a Scene, ranks: &'a Ranks) -> LitScene<'a> {
-        let Self { elements, visibility, options, .. } = self;
-        LitScene { scene, elements, visibility, options, ranks }
+        let Self { elements, visibility, options, choice, .. } = self;
+        LitScene { scene, elements, visibility, options, is_sampled: choice.sampled, ranks }
     }
 
     /// The shooter of the light of a scene of these surfaces.

@@ -101,13 +101,14 @@ impl Subject<'_> {
         let list = self.elements.list();
         let powers = |band: usize, coating: &Coating, entry: &DirectLightEntry| -> Vec<f64> {
             let lit = match entry {
-                DirectLightEntry::Lit(lit) => self.means(&lit[band]),
+                DirectLightEntry::Lit(lit) | DirectLightEntry::Arrived(lit) => self.means(&lit[band]),
                 _ => vec![0.0; list.len()],
             };
+            let is_carried = !matches!(entry, DirectLightEntry::Arrived(_));
             let sent = list.iter().zip(lit).enumerate();
             sent.map(|(index, (element, lit))| {
                 let reflected = coating.reflectance[index] * lit.max(0.0);
-                element.area * (coating.exitance[index] + reflected)
+                element.area * (if is_carried { coating.exitance[index] } else { 0.0 } + reflected)
             })
             .collect()
         };

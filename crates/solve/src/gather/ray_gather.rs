@@ -47,7 +47,7 @@ use radiosity_work::interruption::check_interrupt_at;
 use crate::gather::ray_count::{MOST_SURFACES, most_rays, most_walks};
 use crate::gather::read_irradiance::{Deviation, ReadIrradiance};
 use crate::gather::receiver::Receiver;
-use crate::gather::sent_rays::{Met, SentRays};
+use crate::gather::sent_rays::{LampLight, Met, RayMix, SentRays, ToLamps};
 use crate::gather::walked_light::{Draws, Scores, WalkedLight};
 use crate::solution::{Solution, SurfacePlace};
 
@@ -97,6 +97,8 @@ pub enum Beyond {
 /// A solution whose light is gathered by rays.
 #[derive(Debug)]
 pub struct RayGather<'a> {
+    /// Light that surfaces reflect.
+    solution: &'a Solution,
     rays: SentRays<'a>,
     /// Mean radiosity per band (W m⁻²).
     scale: Vec<f64>,
@@ -135,22 +137,6 @@ struct Start {
     direction: DVec3,
 }
 
-/// Rays of either kind that the balance heuristic combines, per cosine-distributed ray.
-#[derive(Clone, Copy)]
-struct RayMix {
-    cosine: f64,
-    to_lamps: f64,
-}
-
-/// Rays to emitters beside cosine-distributed ones.
-#[derive(Clone, Copy)]
-struct ToLamps<'a> {
-    /// Shares of the emitters in them.
-    shares: &'a Shares<'a>,
-    /// Number of them for each cosine-distributed ray.
-    ratio: f64,
-}
-
 impl<'a> RayGather<'a> {
     /// The light of `solution`, gathered to about the relative accuracy `eps`, with the light of what rays meet
     /// taken from `beyond`; where the number of reflections is limited, from the polynomials.
@@ -162,8 +148,8 @@ impl<'a> RayGather<'a> {
             Beyond::Walked => solution.mean_arriving(),
             _ => scale.iter().map(|scale| DARK * scale).collect(),
         };
-        let rays = SentRays::new(solution, visibility, &scale);
-        Self { rays, scale, eps, dark, beyond }
+        let rays = SentRays::among(solution.elements(), &solution.emitters(), visibility, &scale);
+        Self { solution: solution.sent(), rays, scale, eps, dark, beyond }
     }
 
     /// All light of a receiver. It depends on nothing but the receiver.
@@ -270,7 +256,7 @@ impl<'a> RayGather<'a> {
     ) {
         let offset: [f64; 4] = shift(number);
         let further: [f64; 8] = offsets(number);
-        let walked = WalkedLight::new(&self.rays);
+        let walked = WalkedLight::new(self.solution, &self.rays);
         for index in walks {
             if !scores.are_whole {
                 return;
@@ -279,27 +265,14 @@ impl<'a> RayGather<'a> {
             let Start { receiver, weight, direction } = start(origin, index, &offset, || [a, b]);
             let Some(met) = self.rays.met(&receiver, direction) else { continue };
             let to_lamps = shares.map(|shares| ToLamps { shares, ratio: TO_LAMPS });
-            let share = weight * self.exitance_left(&receiver, &met, to_lamps);
-            for (sum, band) in scores.sums.iter_mut().zip(self.rays.solution.bands()) {
+            let share = weight * self.rays.exitance_left(&receiver, &met, to_lamps);
+            for (sum, band) in scores.sums.iter_mut().zip(self.solution.bands()) {
                 *sum += share * band.coating.exitance[met.element];
             }
             let draws = Draws { direction: [polar, turn], target: [choice, s, t], dice };
             let chance = number_of([f64::from_bits(number), index as f64]);
             walked.add(met, weight, draws, chance, scores);
         }
-    }
-
-    /// Part of the exitance of what a cosine-distributed ray meets that the balance heuristic leaves it beside the
-    /// rays `to_lamps`, times its relative radiance; none where there are none.
-    fn exitance_left(&self, receiver: &ReceiverPoint, met: &Met, to_lamps: Option<ToLamps>) -> f64 {
-        let part = to_lamps.map_or(0.0, |rays| match rays.ratio * rays.shares.density(met.element) {
-            0.0 => 1.0,
-            density => {
-                let kernel = met.kernel(receiver);
-                kernel / (kernel + density)
-            }
-        });
-        part * self.rays.relative(met)
     }
 
     /// Adds the radiosity of what a cosine-distributed ray meets: emitters with the weight that the balance
@@ -314,12 +287,12 @@ impl<'a> RayGather<'a> {
     ) {
         let Some(met) = self.rays.met(receiver, direction) else { return };
         let Met { element, place, distance, .. } = met;
-        let solution = self.rays.solution;
+        let solution = self.solution;
         let irradiance = self.arriving(element, &place, &|| met.there(), distance, end_light);
         let beyond = solution.behind(element, &place).map(|(behind, place)| {
             self.arriving(behind, &place, &|| met.beyond(&place), distance, end_light)
         });
-        let exitance = self.exitance_left(receiver, &met, to_lamps);
+        let exitance = self.rays.exitance_left(receiver, &met, to_lamps);
         for (index, (out, band)) in radiosity.iter_mut().zip(solution.bands()).enumerate() {
             let coating = &band.coating;
             let reflected = coating.reflectance_at(element, place.parameters) * irradiance[index];
@@ -339,7 +312,7 @@ impl<'a> RayGather<'a> {
         distance: f64,
         end_light: EndLight,
     ) -> Vec<f64> {
-        let mut irradiance = vec![0.0; self.rays.solution.bands().len()];
+        let mut irradiance = vec![0.0; self.solution.bands().len()];
         match end_light {
             EndLight::Polynomials => self.add_held(element, place, &mut irradiance),
             EndLight::Direct { chance, small } => {
@@ -359,7 +332,7 @@ impl<'a> RayGather<'a> {
     /// emitter or smaller than a square of this width. Never among luminaires: before one of them light
     /// peaks, which no polynomial follows.
     fn is_rough(&self, element: usize, there: &ReceiverPoint, width: f64) -> bool {
-        let is_held = is_small(&self.rays.solution.elements().list()[element], width)
+        let is_held = is_small(&self.solution.elements().list()[element], width)
             || self.rays.lamps.is_near(there, NEAR);
         is_held && self.rays.points.is_empty()
     }
@@ -367,14 +340,14 @@ impl<'a> RayGather<'a> {
     /// Adds the polynomials E_h ≥ 0 of all light.
     fn add_held(&self, element: usize, place: &SurfacePlace, irradiance: &mut [f64]) {
         let mut held = vec![0.0; irradiance.len()];
-        self.rays.solution.irradiance_bands(element, place, &mut held);
+        self.solution.irradiance_bands(element, place, &mut held);
         irradiance.iter_mut().zip(held).for_each(|(sum, held)| *sum += held.max(0.0));
     }
 
     /// Adds `factor` times the polynomials S_h ≥ 0 of reflected light.
     fn add_reflected(&self, element: usize, place: &SurfacePlace, factor: f64, irradiance: &mut [f64]) {
         let mut held = vec![0.0; irradiance.len()];
-        self.rays.solution.indirect_bands(element, place, &mut held);
+        self.solution.indirect_bands(element, place, &mut held);
         irradiance.iter_mut().zip(held).for_each(|(sum, held)| *sum += factor * held.max(0.0));
     }
 
@@ -460,11 +433,9 @@ impl<'a> RayGather<'a> {
 
     /// Adds `scale` times the light of one ray to an emitter.
     fn add_lamp(&self, receiver: &ReceiverPoint, target: &Target, mix: RayMix, scale: f64, sums: &mut [f64]) {
-        let Some(lamp) = self.rays.shining(receiver, target) else { return };
-        let both = mix.cosine * lamp.kernel + mix.to_lamps * lamp.density;
-        let share = scale * lamp.relative * lamp.kernel / both;
-        for (sum, band) in sums.iter_mut().zip(self.rays.solution.bands()) {
-            *sum += share * band.coating.exitance[lamp.element];
+        let Some(LampLight { element, share }) = self.rays.from_lamp(receiver, target, mix) else { return };
+        for (sum, band) in sums.iter_mut().zip(self.solution.bands()) {
+            *sum += scale * share * band.coating.exitance[element];
         }
     }
 

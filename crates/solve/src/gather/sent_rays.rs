@@ -1,23 +1,31 @@
-//! Rays from receivers to what they meet first, and to points on emitters: what every way of reading light by
+//! Rays from receivers to what they meet first, and to points on emitters: what every way of finding light by
 //! rays is made of.
+//!
+//! Light of emitters that rays of both kinds find is divided among them by the balance heuristic (E. Veach, L. Guibas,
+//! SIGGRAPH 1995, 419-428): with the density κ (1 / scene length²) of n cosine-distributed rays and q of m to emitters,
+//!
+//! ```text
+//! κ/(n κ + m q)   by each cosine-distributed one, over κ ,      κ/(n κ + m q)   by each to an emitter .
+//! ```
 
 use std::f64::consts::PI;
 
+use radiosity_elements::Elements;
 use radiosity_elements::measure::WeightedNode;
 use radiosity_geom::{COINCIDENT, DVec3};
-use radiosity_light::emitters::Radiances;
-use radiosity_light::lamps::{Lamps, Target};
+use radiosity_light::emitters::{Emitters, Radiances};
+use radiosity_light::lamps::{Lamps, Shares, Target};
 use radiosity_light::point_lights::PointLights;
 use radiosity_light::receiver_point::ReceiverPoint;
 use radiosity_visibility::Visibility;
 
 use crate::gather::walks::front_met;
-use crate::solution::{Solution, SurfacePlace};
+use crate::solution::SurfacePlace;
 
 /// A scene with the light that its surfaces emit, as rays ask for it.
 #[derive(Debug)]
 pub(super) struct SentRays<'a> {
-    pub(super) solution: &'a Solution,
+    pub(super) elements: &'a Elements,
     pub(super) visibility: &'a Visibility,
     pub(super) lamps: Lamps,
     pub(super) points: &'a PointLights,
@@ -49,6 +57,29 @@ pub(super) struct Shining {
     pub(super) density: f64,
 }
 
+/// Light of an emitter that a ray to it stands for.
+pub(super) struct LampLight {
+    pub(super) element: usize,
+    /// Irradiance over the exitance of the element.
+    pub(super) share: f64,
+}
+
+/// Rays of either kind that the balance heuristic combines, per cosine-distributed ray.
+#[derive(Clone, Copy)]
+pub(super) struct RayMix {
+    pub(super) cosine: f64,
+    pub(super) to_lamps: f64,
+}
+
+/// Rays to emitters beside cosine-distributed ones.
+#[derive(Clone, Copy)]
+pub(super) struct ToLamps<'a> {
+    /// Shares of the emitters in them.
+    pub(super) shares: &'a Shares<'a>,
+    /// Number of them for each cosine-distributed ray.
+    pub(super) ratio: f64,
+}
+
 impl Met {
     /// Kernel κ(x, y) from the receiver, where the ray began, to where it ended (1 / scene length²).
     pub(super) fn kernel(&self, receiver: &ReceiverPoint) -> f64 {
@@ -68,25 +99,29 @@ impl Met {
 }
 
 impl<'a> SentRays<'a> {
-    /// Rays among the surfaces of `solution`, whose mean radiosity per band is `scale` (W m⁻²).
-    pub(super) fn new(solution: &'a Solution, visibility: &'a Visibility, scale: &[f64]) -> Self {
-        let lamps = Lamps::new(solution.elements().list(), &solution.coatings(), scale);
+    /// Rays among `elements`, to the emitters among them, whose brightness counts relative to `scale` per band (W m⁻²).
+    pub(super) fn among(
+        elements: &'a Elements,
+        sources: &Emitters<'a>,
+        visibility: &'a Visibility,
+        scale: &[f64],
+    ) -> Self {
+        let lamps = Lamps::new(elements.list(), &sources.coatings, scale);
         let touching = COINCIDENT * visibility.bounds().diagonal();
-        let (radiances, points) = (solution.emitters().radiances, solution.emitters().points);
-        Self { solution: solution.sent(), visibility, lamps, points, radiances, touching }
+        let Emitters { radiances, points, .. } = *sources;
+        Self { elements, visibility, lamps, points, radiances, touching }
     }
 
     /// The front that a ray meets first; None where that is covered by another surface, and the ray does not
     /// come from it: what is covered shines only on what covers it.
     pub(super) fn met(&self, receiver: &ReceiverPoint, direction: DVec3) -> Option<Met> {
         let (surface, hit) = front_met(self.visibility, receiver, direction)?;
-        let elements = self.solution.elements();
-        let element = elements.at(surface, [hit.u, hit.v])?;
-        let own = &elements.list()[element];
+        let element = self.elements.at(surface, [hit.u, hit.v])?;
+        let own = &self.elements.list()[element];
         let is_hidden = own.contact.is_some() && hit.t > self.touching;
         let position = receiver.position + hit.t * direction;
         let place = SurfacePlace { surface, parameters: [hit.u, hit.v], position };
-        let curved = || elements.shape(surface).jet(hit.u, hit.v).normal;
+        let curved = || self.elements.shape(surface).jet(hit.u, hit.v).normal;
         let normal = own.plane.map_or_else(curved, |plane| plane.normal);
         (!is_hidden).then_some(Met { element, place, normal, distance: hit.t, direction })
     }
@@ -103,9 +138,39 @@ impl<'a> SentRays<'a> {
         if !self.visibility.is_free(receiver.surface, receiver.position, node.position) {
             return None;
         }
-        let surface = self.solution.elements().list()[target.element].surface;
+        let surface = self.elements.list()[target.element].surface;
         let into = (receiver.position - node.position).normalize_or_zero();
         let relative = weight * self.radiances.relative(surface, into);
         Some(Shining { element: target.element, kernel, relative, density: target.density })
+    }
+
+    /// Part of the exitance of what a cosine-distributed ray meets that the balance heuristic leaves it beside the
+    /// rays `to_lamps`, times its relative radiance; none where there are none.
+    pub(super) fn exitance_left(
+        &self,
+        receiver: &ReceiverPoint,
+        met: &Met,
+        to_lamps: Option<ToLamps<'_>>,
+    ) -> f64 {
+        let part = to_lamps.map_or(0.0, |rays| match rays.ratio * rays.shares.density(met.element) {
+            0.0 => 1.0,
+            density => {
+                let kernel = met.kernel(receiver);
+                kernel / (kernel + density)
+            }
+        });
+        part * self.relative(met)
+    }
+
+    /// The light that a ray to an emitter stands for beside others; None where nothing arrives.
+    pub(super) fn from_lamp(
+        &self,
+        receiver: &ReceiverPoint,
+        target: &Target,
+        mix: RayMix,
+    ) -> Option<LampLight> {
+        let lamp = self.shining(receiver, target)?;
+        let both = mix.cosine * lamp.kernel + mix.to_lamps * lamp.density;
+        Some(LampLight { element: lamp.element, share: lamp.relative * lamp.kernel / both })
     }
 }

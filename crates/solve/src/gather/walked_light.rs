@@ -28,6 +28,7 @@ use radiosity_work::interruption::check_interrupt;
 use smallvec::SmallVec;
 
 use crate::gather::sent_rays::{Met, SentRays};
+use crate::solution::Solution;
 
 /// k in p = min(1, k w). Measured: the factor of the least variance in equal time on most of 17 scenes
 /// (`docs/theory/error.md`).
@@ -71,12 +72,13 @@ pub(super) struct Scores<'s> {
 
 /// Walks among the surfaces of a scene.
 pub(super) struct WalkedLight<'a> {
+    solution: &'a Solution,
     rays: &'a SentRays<'a>,
 }
 
 impl<'a> WalkedLight<'a> {
-    pub(super) fn new(rays: &'a SentRays<'a>) -> Self {
-        Self { rays }
+    pub(super) fn new(solution: &'a Solution, rays: &'a SentRays<'a>) -> Self {
+        Self { solution, rays }
     }
 
     /// Adds the light that the place `met` reflects and lets through, `weight` times, by a walk from there: `draws`
@@ -113,7 +115,7 @@ impl<'a> WalkedLight<'a> {
     /// The side of a surface from which a walk goes on, with the weights that are left of it; None where nothing
     /// is.
     fn left(&self, met: &Met, chance: u64, weights: &mut Weights) -> Option<ReceiverPoint> {
-        let solution = self.rays.solution;
+        let solution = self.solution;
         let Met { element, place, .. } = met;
         let coatings = || solution.bands().iter().map(|band| &band.coating);
         let reflected: Weights = weights
@@ -174,7 +176,7 @@ impl<'a> WalkedLight<'a> {
     /// Adds the exitance of what a ray meets that goes on from `from` with the probability `part`, beside a ray to
     /// the emitters.
     fn add_exitance(&self, from: &ReceiverPoint, met: &Met, weights: &Weights, part: f64, sums: &mut [f64]) {
-        if self.rays.solution.bands().iter().all(|band| band.coating.exitance[met.element] == 0.0) {
+        if self.solution.bands().iter().all(|band| band.coating.exitance[met.element] == 0.0) {
             return;
         }
         let density = self.rays.lamps.seen_from(from).density(met.element);
@@ -185,7 +187,7 @@ impl<'a> WalkedLight<'a> {
 
     /// Adds so much of the exitance of an element.
     fn add_emitted(&self, element: usize, share: f64, weights: &Weights, sums: &mut [f64]) {
-        for ((sum, weight), band) in sums.iter_mut().zip(weights).zip(self.rays.solution.bands()) {
+        for ((sum, weight), band) in sums.iter_mut().zip(weights).zip(self.solution.bands()) {
             *sum += share * weight * band.coating.exitance[element];
         }
     }

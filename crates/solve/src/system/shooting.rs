@@ -57,8 +57,9 @@ pub(crate) struct Shooting<'a> {
 struct Apart {
     all: Vec<f64>,
     direct: Vec<f64>,
-    /// Whether emitted light is a part of it, rather than shot.
-    is_split: bool,
+    /// Radiosity that no shot sends, where emitted light is none: e, and what surfaces reflect of d where the first
+    /// bounce is known; None where shots send emitted light.
+    unshot: Option<Vec<f64>>,
 }
 
 /// The matrix I − S G by the columns of G.
@@ -82,12 +83,18 @@ impl<'a> Shooting<'a> {
             DirectLightEntry::Lit(lit) => {
                 let lit = lit[band].clone();
                 let first = sum(&emitted, &coating.reflected(&starts, &lit));
-                (first, Some(Apart { all: lit.clone(), direct: lit, is_split: false }))
+                (first, Some(Apart { all: lit.clone(), direct: lit, unshot: None }))
+            }
+            DirectLightEntry::Arrived(direct) => {
+                let direct = direct[band].clone();
+                let first = coating.reflected(&starts, &direct);
+                (first, Some(Apart { all: direct.clone(), direct, unshot: Some(emitted.clone()) }))
             }
             DirectLightEntry::Split(Bounce { direct, reflected, .. }) => {
                 let (direct, once) = (direct[band].clone(), &reflected[band]);
                 let first = coating.reflected(&starts, once);
-                (first, Some(Apart { all: sum(&direct, once), direct, is_split: true }))
+                let unshot = Some(sum(&emitted, &coating.reflected(&starts, &direct)));
+                (first, Some(Apart { all: sum(&direct, once), direct, unshot }))
             }
         };
         let sends = |i: &usize| {
@@ -136,14 +143,14 @@ impl<'a> Shooting<'a> {
         let carried = blocks.apply(&sent);
         let (irradiance, direct) = match &self.apart {
             None => (carried, blocks.apply(&emitted)),
-            Some(Apart { all, direct, is_split: true }) => (sum(all, &carried), direct.clone()),
+            Some(Apart { all, direct, unshot: Some(_) }) => (sum(all, &carried), direct.clone()),
             Some(Apart { all, direct, .. }) => (sum(all, &carried), sum(direct, &blocks.apply(&emitted))),
         };
         let radiosity = radiosity(self.elements, self.coating, &irradiance);
         let known = self.known();
         let reflected = match &self.apart {
             None => None,
-            Some(Apart { is_split: true, .. }) => Some(&known[..]),
+            Some(Apart { unshot: Some(unshot), .. }) => Some(&unshot[..]),
             Some(_) => Some(&self.first[..]),
         };
         let missed = distance(&sum(&known, &sent), &radiosity);
@@ -152,14 +159,10 @@ impl<'a> Shooting<'a> {
         Coefficients { irradiance, direct, radiosity, residual, waiting: Some(waiting) }
     }
 
-    /// Radiosity that no shot sends: e and what surfaces reflect of d, where direct light d is split off.
+    /// Radiosity that no shot sends.
     fn known(&self) -> Vec<f64> {
-        match &self.apart {
-            Some(Apart { direct, is_split: true, .. }) => {
-                sum(&self.emitted, &self.coating.reflected(&self.starts, direct))
-            }
-            _ => vec![0.0; self.first.len()],
-        }
+        let unshot = self.apart.as_ref().and_then(|apart| apart.unshot.clone());
+        unshot.unwrap_or_else(|| vec![0.0; self.first.len()])
     }
 
     /// S h for irradiance h on the element `from` alone, added to `y` with the factor −1.
