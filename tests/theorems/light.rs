@@ -10,6 +10,7 @@ mod cornell;
 mod curved_bodies;
 mod edges;
 mod curved_shadows;
+mod direct_by_rays;
 mod films;
 mod footprints;
 mod gather;

@@ -19,7 +19,7 @@ use radiosity_elements::coating::Coating;
 use radiosity_elements::patch::{Direction, Node, Patch};
 use radiosity_elements::rule::UnitRule;
 use radiosity_elements::{Element, starts};
-use radiosity_geom::DVec3;
+use radiosity_geom::{Aabb, DVec3};
 use radiosity_visibility::Visibility;
 use radiosity_work::interruption::check_interrupt;
 use radiosity_work::ranks::{PartName, Ranks};
@@ -49,6 +49,9 @@ const SUNNY_HALVINGS: usize = 6;
 /// A cell whose radius exceeds this part of its distance from a luminaire is quartered for D. Two
 /// points each way then err by about 0.02 (2 · 0.15)⁴ = 2e-4 of what the cell receives.
 const PEAKED: f64 = 0.15;
+
+/// [`PEAKED`] of emitting elements where rays find D: 0.02 (2 · 0.3)⁴ = 2.6e-3, less than their noise.
+const PEAKED_BY_RAYS: f64 = 0.3;
 
 /// A patch below this part of its element's area is small: it is not halved for g, since others sample the
 /// element too.
@@ -115,7 +118,7 @@ pub enum DirectLightEntry {
 /// The coefficients of the irradiance from luminaires on `elements`, per band (W m⁻² times scene length).
 pub fn lit_by(sources: &Emitters<'_>, visibility: &Visibility, ranks: &Ranks) -> Vec<Vec<f64>> {
     let Emitters { elements, ref coatings, points, .. } = *sources;
-    let lamps: Vec<[DVec3; 2]> = points.ends().collect();
+    let lamps: Vec<Peak> = points.ends().map(Peak::between).collect();
     let halvings = if points.has_sun() { SUNNY_HALVINGS } else { DIRECT_HALVINGS };
     let lit = |index: usize, own: &NumberedNode<'_>| {
         let mut lit = vec![0.0; coatings.len()];
@@ -124,24 +127,33 @@ pub fn lit_by(sources: &Emitters<'_>, visibility: &Visibility, ranks: &Ranks) ->
         points.add(&receiver, visibility, &mut lit);
         lit
     };
-    coefficients(sources, &Peaks { lamps: &lamps, halvings }, &lit, ranks)
+    coefficients(sources, &Peaks { lamps: &lamps, halvings, part: PEAKED }, &lit, ranks)
 }
 
-/// The coefficients of the irradiance `lit` from elements and of that from luminaires, per band (W m⁻² times scene
-/// length).
+/// The coefficients of the irradiance `lit` from elements, which rays find, and of that from luminaires, per band (W
+/// m⁻² times scene length).
 pub fn arrived(
     sources: &Emitters<'_>,
     visibility: &Visibility,
     lit: IrradianceAtNode<'_>,
     ranks: &Ranks,
 ) -> Vec<Vec<f64>> {
-    let mut d = coefficients(sources, &Peaks::NONE, lit, ranks);
+    let emits = |index: &usize| sources.coatings.iter().any(|own| own.exitance[*index] > 0.0);
+    let lamps: Vec<Peak> =
+        (0..sources.elements.len()).filter(emits).map(|index| Peak::of(&sources.elements[index])).collect();
+    let peaks = Peaks { lamps: &lamps, halvings: DIRECT_HALVINGS, part: PEAKED_BY_RAYS };
+    let mut d = coefficients(sources, &peaks, lit, ranks);
+    add_lit_by(sources, visibility, ranks, &mut d);
+    d
+}
+
+/// Adds the coefficients of the irradiance from luminaires to `d`.
+fn add_lit_by(sources: &Emitters<'_>, visibility: &Visibility, ranks: &Ranks, d: &mut [Vec<f64>]) {
     if !sources.points.is_empty() {
         let of_points = lit_by(sources, visibility, ranks);
         let pairs = d.iter_mut().flatten().zip(of_points.iter().flatten());
         pairs.for_each(|(sum, own)| *sum += own);
     }
-    d
 }
 
 /// The coefficients of the direct irradiance `lit` per band (W m⁻² times scene length).
@@ -159,15 +171,50 @@ fn coefficients(
 
 /// Where direct light wants small cells.
 struct Peaks<'a> {
-    /// Ends of luminaires before which it peaks.
-    lamps: &'a [[DVec3; 2]],
+    /// Emitters before which it peaks.
+    lamps: &'a [Peak],
     /// Halvings of all patches in each direction.
     halvings: usize,
+    /// Largest radius of a cell, over its distance from an emitter.
+    part: f64,
+}
+
+/// An emitter before which light peaks.
+struct Peak {
+    /// Ends of a luminaire; twice the middle of an element.
+    ends: [DVec3; 2],
+    /// Radius of a ball around an element, and of a luminaire 0: nearer than that light varies no faster (scene length).
+    radius: f64,
+}
+
+impl Peak {
+    fn between(ends: [DVec3; 2]) -> Self {
+        Self { ends, radius: 0.0 }
+    }
+
+    fn of(element: &Element) -> Self {
+        let bounds = Aabb::around(element.hull.iter().copied());
+        Self { ends: [bounds.center(); 2], radius: 0.5 * bounds.diagonal() }
+    }
+
+    /// Whether a cell of this middle and radius, larger than `part` of its distance, is before it.
+    fn is_near(&self, middle: &Node, radius: f64, part: f64) -> bool {
+        let step = nearest(&self.ends, middle.position) - middle.position;
+        step.dot(middle.normal) > -(radius + self.radius) && radius > part * step.length().max(self.radius)
+    }
 }
 
 impl Peaks<'_> {
     /// Light from surfaces peaks nowhere.
-    const NONE: Self = Self { lamps: &[], halvings: DIRECT_HALVINGS };
+    const NONE: Self = Self { lamps: &[], halvings: DIRECT_HALVINGS, part: PEAKED };
+
+    /// Whether light peaks within a cell.
+    fn are_near(&self, cell: &Patch) -> bool {
+        let middle = cell.node(0.5, 0.5);
+        let corners = cell.corners();
+        let radius = corners.iter().map(|corner| corner.distance(middle.position)).fold(0.0, f64::max);
+        self.lamps.iter().any(|lamp| lamp.is_near(&middle, radius, self.part))
+    }
 }
 
 /// For each channel the coefficients that `project` finds, element by element.
@@ -202,7 +249,8 @@ impl CoatedBounce {
         let direct = DirectLight::within(sources, visibility, eps);
         let lit = |element: usize, node: &Node| direct.at(element, node.position, node.normal);
         let of_elements = |element: usize, own: &NumberedNode<'_>| direct.of_elements_at(element, own.node);
-        let d = arrived(sources, visibility, &of_elements, ranks);
+        let mut d = coefficients(sources, &Peaks::NONE, &of_elements, ranks);
+        add_lit_by(sources, visibility, ranks, &mut d);
         Self::reflected(sources, visibility, GivenLight { lit: &lit, apart: &[] }, d, eps, ranks)
     }
 
@@ -289,7 +337,7 @@ fn of_direct(
     let mut open: Vec<(Patch, usize)> = whole.map(|cell| (cell, 0)).collect();
     let mut small = Vec::with_capacity(open.len());
     while let Some((cell, depth)) = open.pop() {
-        if depth < MOST_QUARTERINGS_AT_LUMINAIRE && is_peaked(&cell, peaks.lamps) {
+        if depth < MOST_QUARTERINGS_AT_LUMINAIRE && peaks.are_near(&cell) {
             open.extend(cells(&cell, 1).into_iter().map(|quarter| (quarter, depth + 1)));
         } else {
             small.push(cell);
@@ -305,18 +353,6 @@ fn of_direct(
         });
     }
     sums.finish()
-}
-
-/// Whether a luminaire with one of these pairs of ends is so near before a cell that its light peaks within
-/// it.
-fn is_peaked(cell: &Patch, lamps: &[[DVec3; 2]]) -> bool {
-    let middle = cell.node(0.5, 0.5);
-    let corners = cell.corners();
-    let radius = corners.iter().map(|corner| corner.distance(middle.position)).fold(0.0, f64::max);
-    lamps.iter().any(|ends| {
-        let step = nearest(ends, middle.position) - middle.position;
-        step.dot(middle.normal) > -radius && radius > PEAKED * step.length()
-    })
 }
 
 /// The point between two ends that is nearest to a point.

@@ -17,7 +17,7 @@ use radiosity_scene::Scene;
 use radiosity_visibility::Visibility;
 use radiosity_work::ranks::Ranks;
 
-use super::direct::Direct;
+use super::direct::{DirectWay, Transfers};
 use super::emission::Emission;
 use super::options::Options;
 use crate::gather::direct_by_rays::DirectByRays;
@@ -31,16 +31,14 @@ pub(super) struct LitScene<'a> {
     pub elements: &'a Elements,
     pub visibility: &'a Visibility,
     pub options: &'a Options,
-    /// Whether rays carry the light between elements.
-    pub is_sampled: bool,
     pub ranks: &'a Ranks,
 }
 
 /// The first light of all emissions of a scene.
 #[derive(Debug)]
 pub(super) struct FirstLight {
-    /// Whether direct light is masked or split off.
-    pub is_split: bool,
+    /// What is known of direct light; split off where it is masked.
+    way: DirectWay,
     emissions: Vec<Emission>,
     sources: Vec<EmissionLight>,
 }
@@ -134,21 +132,32 @@ impl FirstLight {
         &self.emissions
     }
 
-    /// The first light of `emissions`.
-    pub(super) fn of(lit_scene: &LitScene<'_>, emissions: Vec<Emission>) -> Self {
-        let LitScene { elements, visibility, options, is_sampled, .. } = *lit_scene;
-        let by_rules = options.kernel.is_none() && !is_sampled;
-        let all: Vec<Emitters<'_>> = emissions.iter().map(|own| own.emitters(elements.list())).collect();
-        let is_split = options.masks.is_some() || options.direct.splits(&all, visibility, by_rules);
-        Self::as_split(lit_scene, emissions, is_split)
+    /// Whether direct light is known apart.
+    pub(super) fn is_apart(&self) -> bool {
+        self.way != DirectWay::Carried
     }
 
-    /// The first light of `emissions` where it is known whether direct light is masked or split off.
-    pub(super) fn as_split(lit_scene: &LitScene<'_>, emissions: Vec<Emission>, is_split: bool) -> Self {
+    /// The first light of `emissions`.
+    pub(super) fn of(lit_scene: &LitScene<'_>, emissions: Vec<Emission>, transfers: Transfers) -> Self {
+        let LitScene { elements, visibility, options, .. } = *lit_scene;
+        let all: Vec<Emitters<'_>> = emissions.iter().map(|own| own.emitters(elements.list())).collect();
+        let way = match options.masks {
+            Some(_) => DirectWay::Split,
+            None => options.direct.way(&all, visibility, transfers),
+        };
+        Self::by(lit_scene, emissions, way)
+    }
+
+    /// The first light of other `emissions`, known in the way of this one.
+    pub(super) fn anew(&self, lit_scene: &LitScene<'_>, emissions: Vec<Emission>) -> Self {
+        Self::by(lit_scene, emissions, self.way)
+    }
+
+    fn by(lit_scene: &LitScene<'_>, emissions: Vec<Emission>, way: DirectWay) -> Self {
         let masks = masked_pairs(lit_scene, &emissions).map(Arc::new);
-        let of = |emission| EmissionLight::of(lit_scene, emission, masks.clone(), is_split);
+        let of = |emission| EmissionLight::of(lit_scene, emission, masks.clone(), way);
         let sources = emissions.iter().map(of).collect();
-        Self { is_split, emissions, sources }
+        Self { way, emissions, sources }
     }
 
     /// The first light of each of `emissions` on surfaces of other reflectances. None where it has to be
@@ -163,29 +172,32 @@ impl FirstLight {
 }
 
 impl EmissionLight {
-    /// The source of an emission; `is_split` says whether direct light is masked or split off.
+    /// The source of an emission, of whose direct light is known what `way` says.
     fn of(
         lit_scene: &LitScene<'_>,
         emission: &Emission,
         masks: Option<Arc<MaskedPairs>>,
-        is_split: bool,
+        way: DirectWay,
     ) -> Self {
-        let LitScene { elements, visibility, options, is_sampled, ranks, .. } = *lit_scene;
+        let LitScene { elements, visibility, options, ranks, .. } = *lit_scene;
         let sources = emission.emitters(elements.list());
         let masked = masks.as_ref().map(|masks| masks.light(elements, &sources.coatings, None));
         let eps = POINT_OVER_BLOCK * options.shadow_eps;
-        let direct = match masks.as_ref().zip(masked.as_ref()) {
-            Some((masks, masked)) => {
+        let direct = match (masks.as_ref().zip(masked.as_ref()), way) {
+            (Some((masks, masked)), _) => {
                 DirectEntry::Split(bounce_through_masks(lit_scene, &sources, masks, masked))
             }
-            None if is_split && is_sampled && options.direct == Direct::Auto => {
-                let rays = DirectByRays::of(elements, &sources, visibility, eps);
+            (None, DirectWay::Arrived) => {
+                let rays =
+                    DirectByRays::of(elements, &sources, visibility, options.ray_budget(lit_scene.scene));
                 let lit = |element: usize, own: &NumberedNode<'_>| rays.at(element, own);
                 DirectEntry::Arrived(arrived(&sources, visibility, &lit, ranks))
             }
-            None if is_split => DirectEntry::Split(CoatedBounce::new(&sources, visibility, eps, ranks)),
-            None if sources.points.is_empty() => DirectEntry::Carried,
-            None => DirectEntry::Lit(lit_by(&sources, visibility, ranks)),
+            (None, DirectWay::Split) => {
+                DirectEntry::Split(CoatedBounce::new(&sources, visibility, eps, ranks))
+            }
+            (None, DirectWay::Carried) if sources.points.is_empty() => DirectEntry::Carried,
+            (None, DirectWay::Carried) => DirectEntry::Lit(lit_by(&sources, visibility, ranks)),
         };
         Self { masks, masked: masked.map(Arc::new), direct }
     }
@@ -225,7 +237,7 @@ fn bounce_through_masks(
 
 /// The masked pairs of a scene with these emissions, where masks are asked for.
 fn masked_pairs(lit_scene: &LitScene<'_>, emissions: &[Emission]) -> Option<MaskedPairs> {
-    let LitScene { scene, elements, visibility, options, ranks, .. } = *lit_scene;
+    let LitScene { scene, elements, visibility, options, ranks } = *lit_scene;
     let how = options.masks?;
     let open = Visibility::open(scene);
     let coatings: Vec<&Coating> = emissions.iter().flat_map(Emission::list).collect();

@@ -421,7 +421,7 @@ impl Model {
             solver,
             iterations,
             residual,
-            split: self.ready.first.is_split,
+            split: self.ready.first.is_apart(),
             converged: costs.iter().all(|cost| cost.converged),
             choice: self.ready.choice.clone(),
             unknowns: self.unknowns(),

@@ -14,7 +14,7 @@ use radiosity_work::{Progress, Stage, Work};
 
 use super::column_choice::ColumnChoice;
 use super::decisions::{AssemblyPlan, Decisions};
-use super::direct::Direct;
+use super::direct::{Direct, Transfers};
 use super::emission::Emission;
 use super::failure::Failure;
 use super::first_light::{EnteringLight, FirstLight, LitScene};
@@ -72,16 +72,15 @@ impl Ready {
         work.report(Progress::Finished { stage: Stage::Elements, took: seconds.elements });
         let Decisions { visibility, choice, rays, .. } = decisions;
         let emissions = Emission::all(scene, elements.list());
-        let lit_scene = LitScene {
-            scene,
-            elements: &elements,
-            visibility: &visibility,
-            options,
-            is_sampled: choice.sampled,
-            ranks: work.ranks,
+        let lit_scene =
+            LitScene { scene, elements: &elements, visibility: &visibility, options, ranks: work.ranks };
+        let transfers = match options.kernel {
+            _ if choice.sampled => Transfers::Rays,
+            None => Transfers::Rules,
+            Some(_) => Transfers::Changed,
         };
-        let first = timed(&mut seconds.direct, || FirstLight::of(&lit_scene, emissions));
-        if first.is_split {
+        let first = timed(&mut seconds.direct, || FirstLight::of(&lit_scene, emissions, transfers));
+        if first.is_apart() {
             work.report(Progress::Finished { stage: Stage::Direct, took: seconds.direct });
         }
         Ok(Self {
@@ -108,7 +107,7 @@ impl Ready {
         let first = self.first.reflected(emissions).unwrap_or_else(|| {
             let lit_scene = self.lit_scene(scene, ranks);
             let anew = Emission::all(scene, self.elements.list());
-            let first = FirstLight::as_split(&lit_scene, anew, self.first.is_split);
+            let first = self.first.anew(&lit_scene, anew);
             first.reflected(emissions).expect("the emission is the same")
         });
         match &self.subspace {
@@ -119,8 +118,8 @@ impl Ready {
 
     /// A scene of these surfaces, as direct light is computed from it.
     pub(super) fn lit_scene<'a>(&'a self, scene: &'a Scene, ranks: &'a Ranks) -> LitScene<'a> {
-        let Self { elements, visibility, options, choice, .. } = self;
-        LitScene { scene, elements, visibility, options, is_sampled: choice.sampled, ranks }
+        let Self { elements, visibility, options, .. } = self;
+        LitScene { scene, elements, visibility, options, ranks }
     }
 
     /// The shooter of the light of a scene of these surfaces.

@@ -22,7 +22,6 @@ use radiosity_light::first_bounce::NumberedNode;
 use radiosity_light::receiver_point::ReceiverPoint;
 use radiosity_visibility::Visibility;
 
-use crate::gather::ray_count::usual_rays;
 use crate::gather::sent_rays::{LampLight, RayMix, SentRays, ToLamps};
 
 /// Distance of an emitter, in its radii, from which rays to it have no peaks: there κ varies by less than the square
@@ -34,23 +33,25 @@ const NEAR: f64 = 3.0;
 pub(crate) struct DirectByRays<'a> {
     rays: SentRays<'a>,
     coatings: Vec<&'a Coating>,
-    /// Rays to emitters from all nodes of an element.
+    /// Rays to emitters from all nodes of an element together.
     per_element: f64,
 }
 
 impl<'a> DirectByRays<'a> {
-    /// The direct light of `sources`; the coefficients of an element err by about `eps` of their light.
+    /// The direct light of `sources`, by at least `rays` to the emitters from all elements together, and one from each
+    /// node.
     pub(crate) fn of(
         elements: &'a Elements,
         sources: &Emitters<'a>,
         visibility: &'a Visibility,
-        eps: f64,
+        rays: u64,
     ) -> Self {
         let coatings = sources.coatings.clone();
         let brightest = |own: &&Coating| own.exitance.iter().copied().fold(f64::MIN_POSITIVE, f64::max);
         let scale: Vec<f64> = coatings.iter().map(brightest).collect();
+        let per_element = rays as f64 / elements.list().len() as f64;
         let rays = SentRays::among(elements, sources, visibility, &scale);
-        Self { rays, coatings, per_element: usual_rays(eps) }
+        Self { rays, coatings, per_element }
     }
 
     /// Irradiance (W m⁻²) per band at a node of the element `element`.
