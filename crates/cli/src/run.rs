@@ -242,7 +242,7 @@ impl Run {
         let (mut missed, mut size) = (0.0, 0.0);
         for (light, deviation) in readings {
             let square: f64 = light.iter().map(|value| value * value).sum();
-            missed += square * deviation.map_or(0.0, |deviation| deviation.relative.powi(2));
+            missed += light.len() as f64 * deviation.map_or(0.0, |deviation| deviation.absolute.powi(2));
             size += square;
         }
         let error = if size > 0.0 { (missed / size).sqrt() } else { 0.0 };

@@ -125,24 +125,28 @@ struct Integrals {
 /// Standard deviations of integrals that are added, all bands together.
 #[derive(Default)]
 struct Deviations {
-    /// Sum of the squares of their sizes (W).
+    /// Sum of the squares of their sizes relative to the integrals (W).
     squares: f64,
+    /// Sum of the squares of their sizes (W).
+    absolute: f64,
     is_dark: bool,
     are_rays: bool,
 }
 
 impl Deviations {
-    /// Adds the deviation of the integral `size` (W).
-    fn add(&mut self, deviation: Deviation, size: f64) {
+    /// Adds the deviation of the integral `size` (W) over an area.
+    fn add(&mut self, deviation: Deviation, size: f64, area: f64) {
         self.squares += (deviation.relative * size).powi(2);
+        self.absolute += (deviation.absolute * area).powi(2);
         self.is_dark |= deviation.is_dark;
         self.are_rays = true;
     }
 
-    /// The deviation of all integrals, which together are `size` (W); None where rays gathered nothing.
-    fn over(&self, size: f64) -> Option<Deviation> {
-        let relative = if size > 0.0 { self.squares.sqrt() / size } else { 0.0 };
-        self.are_rays.then_some(Deviation { relative, is_dark: self.is_dark })
+    /// The deviation of all integrals over an `area`, which together are `size` (W); None where rays gathered nothing.
+    fn over(&self, size: f64, area: f64) -> Option<Deviation> {
+        let part = |squares: f64, of: f64| if of > 0.0 { squares.sqrt() / of } else { 0.0 };
+        let (relative, absolute) = (part(self.squares, size), part(self.absolute, area));
+        self.are_rays.then_some(Deviation { relative, absolute, is_dark: self.is_dark })
     }
 }
 
@@ -180,7 +184,7 @@ impl Integrals {
         let irradiance: Vec<f64> = irradiance.into_iter().map(|mean| mean * area).collect();
         self.covered += area;
         if let Some(deviation) = deviation {
-            self.deviations.add(deviation, irradiance.iter().sum());
+            self.deviations.add(deviation, irradiance.iter().sum(), area);
         }
         for (index, band) in reader.solution().bands().iter().enumerate() {
             let Means { exitance, reflectance } = band.coating.means_over(element, patch, rect);
@@ -207,7 +211,7 @@ impl Integrals {
         let area = area.unwrap_or(exposed);
         let mean =
             |sum: Vec<f64>| sum.into_iter().map(|sum| if area > 0.0 { sum / area } else { 0.0 }).collect();
-        let deviation = self.deviations.over(self.irradiance.iter().sum());
+        let deviation = self.deviations.over(self.irradiance.iter().sum(), area);
         let [irradiance, radiosity, absorbed] = [self.irradiance, self.radiosity, self.absorbed].map(mean);
         Cell { surface, index, irradiance, radiosity, absorbed, deviation, area, exposed, position }
     }
@@ -241,15 +245,18 @@ fn over_patch(reader: &Reader, element: usize, patch: &Patch, rates: Rates) -> R
             sum(lit(direct, owner.surface, patch, horizon, rates.direct), &mean(patch, exact, indirect))
                 .into()
         }
-        RecomputedLight::Gathered(light) => match light.by() {
-            GatheredBy::Rays(gather) => gather.read(&Receiver::over(owner.surface, patch)),
-            GatheredBy::Cells(gather) => {
-                let lit = lit(gather.direct(), owner.surface, patch, horizon, rates.direct);
-                let gathered =
-                    gathered(gather.reflection(), owner.surface, patch, horizon, rates.indirect, &lit);
-                sum(lit, &gathered).into()
-            }
-        },
+        RecomputedLight::Gathered(light) => {
+            let origin = Receiver::over(owner.surface, patch);
+            light.in_gap(&origin).unwrap_or_else(|| match light.by() {
+                GatheredBy::Rays(gather) => gather.read(&origin),
+                GatheredBy::Cells(gather) => {
+                    let lit = lit(gather.direct(), owner.surface, patch, horizon, rates.direct);
+                    let gathered =
+                        gathered(gather.reflection(), owner.surface, patch, horizon, rates.indirect, &lit);
+                    light.settled(&origin, &lit, &gathered)
+                }
+            })
+        }
     }
 }
 

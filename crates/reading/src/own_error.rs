@@ -22,8 +22,7 @@
 //! | 0 | light by walks, which take nothing from the solution |
 //!
 //! What these do not know, such as light that no polynomial follows, is left to the factor κ of
-//! [`Checked`](radiosity_audit::Checked). Readings of nearly no light by rays, whose deviations are relative
-//! to more than they are, get too little.
+//! [`Checked`](radiosity_audit::Checked).
 
 use radiosity_solve::Options;
 use radiosity_solve::animation::frame::Frame;
@@ -84,9 +83,10 @@ impl OwnError {
 
     /// The estimate for a reading of this light, in its unit, root mean square over the bands.
     pub fn of_reading(&self, light: &[f64], deviation: Option<Deviation>) -> f64 {
-        let reading = deviation.map_or(self.reading, |deviation| deviation.relative);
         let squares = light.iter().map(|value| value * value).sum::<f64>() / light.len().max(1) as f64;
-        squares.sqrt() * reading.hypot(self.solution)
+        let size = squares.sqrt();
+        let reading = deviation.map_or(size * self.reading, |deviation| deviation.absolute);
+        reading.hypot(size * self.solution)
     }
 }
 
@@ -120,7 +120,7 @@ mod tests {
         let near = |a: f64, b: f64| assert!((a - b).abs() < 1e-12, "{a} {b}");
         near(told(own("furnace-cube", None, &settings), None), 3e-4_f64.hypot(1e-4));
         near(told(own("cornell-box", None, &settings), None), 3e-4_f64.hypot(2e-3));
-        let deviation = Some(Deviation { relative: 3e-3, is_dark: false });
+        let deviation = Some(Deviation { relative: 3e-3, absolute: 3e-3 * 12.5_f64.sqrt(), is_dark: false });
         near(told(own("cornell-box", Some(0.02), &settings), deviation), 5e-3);
         let basis = ReadSettings { read: ReadMode::Basis, ..settings };
         near(told(own("cornell-box", Some(0.02), &basis), None), 0.02);

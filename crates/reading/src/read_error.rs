@@ -19,19 +19,19 @@ pub struct ReadError {
     pub rms: f64,
     /// Largest relative deviation.
     pub largest: f64,
-    /// Number of readings of less than 2 % of the scene's mean radiosity in a band; theirs are relative to
-    /// these 2 %.
+    /// Number of readings in narrow gaps, in shadow, and of less than 2 % of the scene's mean radiosity in a band, which
+    /// are left out: theirs are small relative to the light of the scene.
     pub dark: usize,
 }
 
 impl ReadError {
-    /// The errors of these readings; None where light was not gathered by rays.
+    /// The errors of these readings; None where light was not gathered by rays, or in dark places alone.
     pub fn of(readings: impl Iterator<Item = Option<Deviation>>) -> Option<Self> {
-        let deviations: Vec<Deviation> = readings.flatten().collect();
+        let (dim, deviations): (Vec<Deviation>, Vec<Deviation>) =
+            readings.flatten().partition(|deviation| deviation.is_dark);
         let squares: f64 = deviations.iter().map(|deviation| deviation.relative.powi(2)).sum();
         let largest = deviations.iter().map(|deviation| deviation.relative).reduce(f64::max)?;
-        let dark = deviations.iter().filter(|deviation| deviation.is_dark).count();
-        Some(Self { rms: (squares / deviations.len() as f64).sqrt(), largest, dark })
+        Some(Self { rms: (squares / deviations.len() as f64).sqrt(), largest, dark: dim.len() })
     }
 }
 
@@ -56,7 +56,7 @@ impl fmt::Display for ReadError {
         write!(f, "light gathered by rays: standard deviation {rms} % of what is read, {largest} % at most")?;
         match self.dark {
             0 => Ok(()),
-            dark => write!(f, "; of {dark} dark readings in % of 2 % of the scene's mean radiosity"),
+            dark => write!(f, "; {dark} dark readings are known beside the light of the scene"),
         }
     }
 }

@@ -9,6 +9,10 @@ use radiosity_solve::solution::{Solution, SurfacePlace};
 use radiosity_visibility::Visibility;
 use serde::Deserialize;
 
+/// Coarsest accuracy that light is gathered to by cells, that of a draft: coarser cells are no cheaper. Measured in a
+/// corner of the shadow of a table: 1e-2, 2e-3, 1.25e-3 and 3e-4 take .73, .79, .78 and .65 s.
+const COARSEST_BY_CELLS: f64 = 2e-3;
+
 /// The source of irradiance.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
 #[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
@@ -64,7 +68,9 @@ impl<'a> Reader<'a> {
                 RecomputedLight::Direct(DirectLight::within(&solution.emitters(), visibility, eps))
             }
             ReadMode::Gather | ReadMode::GatherTwice => {
-                RecomputedLight::Gathered(by.gathering(solution, visibility, eps, 1.0, SOME_POINTS, twice))
+                let by_cells = eps.min(COARSEST_BY_CELLS);
+                let rougher = eps / by_cells;
+                RecomputedLight::Gathered(by.gathering(solution, visibility, by_cells, rougher, SOME_POINTS, twice))
             }
         };
         Self { solution, visibility, light }

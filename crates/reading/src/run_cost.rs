@@ -23,7 +23,9 @@ pub fn seconds_to_read(solved: &Solved, settings: &ReadSettings, points: f64) ->
         ReadMode::Gather | ReadMode::GatherTwice => {
             let (solution, visibility) = (&solved.outcome.solution, solved.visibility());
             let twice = settings.read == ReadMode::GatherTwice;
-            SHARED * settings.by.seconds(solution, visibility, settings.eps, points, SOME_POINTS, twice)
+            let in_gaps = settings.by.seconds_in_gaps(solution, visibility, settings.eps, points);
+            let usual = settings.by.seconds(solution, visibility, settings.eps, points, SOME_POINTS, twice);
+            SHARED * usual + in_gaps
         }
     }
 }

@@ -16,9 +16,12 @@ use super::method::MethodRequest;
 use super::ranges::{Accuracy, Number};
 use super::refusal::Refusal;
 
-/// Accuracy that a solution by rays is worth being read to, and that of readings by walks. Chosen: the error of the
-/// former is some percent, of which this adds little.
-const BY_RAYS: f64 = 1e-2;
+/// Accuracy that a solution by rays is worth being read to. Measured on sixty random rooms: with 1e-2 the noise of
+/// reading was most of the error in the median, .58 %.
+const BY_RAYS: f64 = 5e-3;
+
+/// Accuracy of readings by walks, which take four times as long for half of it. Chosen.
+const BY_WALKS: f64 = 1e-2;
 
 /// Options of the reading of a solution; None where nothing is said.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Deserialize)]
@@ -132,7 +135,7 @@ impl ReadRequest {
         let usual = ReadSettings { by, ..method.quality.unwrap_or_default().reading() };
         let wanted = achieved.and_then(|achieved| achieved.reading());
         if by == GatherMethod::Walks {
-            return self.asked(method, usual, wanted.unwrap_or(BY_RAYS));
+            return self.asked(method, usual, wanted.unwrap_or(BY_WALKS));
         }
         let is_sampled = solved.outcome.sampling.is_some();
         let of_solution = if is_sampled { usual.eps.max(BY_RAYS) } else { usual.eps };

@@ -20,9 +20,10 @@ pub mod receiver;
 mod ray_count;
 mod sent_rays;
 pub(crate) mod direct_by_rays;
+mod trusted_light;
 mod walked_light;
 pub mod ray_gather;
-mod narrow_gaps;
+mod doubtful_places;
 mod cell_price;
 pub mod gather_method;
 
@@ -111,6 +112,14 @@ impl<'a> Gather<'a> {
         let direct = self.direct.irradiance(receiver, &occluders.direct);
         let indirect = self.reflection.irradiance(receiver, &occluders.indirect, &direct);
         direct.iter().zip(indirect).map(|(d, s)| d + s).collect()
+    }
+
+    /// Irradiance (W m⁻²) per band at a single point: direct light, and reflected light.
+    pub(crate) fn parts(&self, receiver: &ReceiverPoint) -> [Vec<f64>; 2] {
+        let around = self.around(&receiver.site());
+        let direct = self.direct.irradiance(receiver, &around.direct);
+        let indirect = self.reflection.irradiance(receiver, &around.indirect, &direct);
+        [direct, indirect]
     }
 
     /// Irradiance (W m⁻²) per band at a single point.

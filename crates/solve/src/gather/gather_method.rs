@@ -3,9 +3,10 @@
 //! Cells ([`crate::gather::Gather`]) cost time in proportion to the elements and to what stands before them, once for
 //! their tables and again for each point, little more where more digits are asked for; least in small rooms of flat
 //! things. Rays ([`crate::gather::ray_gather`]) cost about the same whatever the scene is, and ε^(−4/3). Both take
-//! what surfaces reflect from the polynomials of the solution. Walks (`super::walked_light`) take nothing from them,
-//! and cost ε⁻²: they are chosen here for points in narrow gaps alone (`super::narrow_gaps`), elsewhere by who knows
-//! what else a solution would take to be as accurate.
+//! what surfaces reflect from the polynomials of the solution, rays where these are trusted. Walks
+//! (`super::walked_light`) take nothing from them, and cost ε⁻²: they are chosen here for points in narrow gaps alone,
+//! elsewhere by who knows what else a solution would take to be as accurate. What cells find in shadow is read anew by
+//! rays (`super::doubtful_places`).
 
 use radiosity_light::receiver_point::ReceiverPoint;
 use radiosity_visibility::Visibility;
@@ -13,7 +14,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::gather::Gather;
 use crate::gather::cell_price::CellPrice;
-use crate::gather::narrow_gaps::NarrowGaps;
+use crate::gather::doubtful_places::{BY_WALKS, DoubtfulPlaces};
 use crate::gather::ray_count::{usual_rays, usual_walks};
 use crate::gather::ray_gather::{Beyond, RayGather};
 use crate::gather::read_irradiance::ReadIrradiance;
@@ -57,38 +58,54 @@ pub enum GatheredBy<'a> {
     Rays(RayGather<'a>),
 }
 
-/// Light that is gathered in one of the ways, at points in narrow gaps by walks.
+/// Light that is gathered in one of the ways, in places where that is doubtful by walks.
 #[derive(Debug)]
 pub struct Gathering<'a> {
     by: GatheredBy<'a>,
     /// None where walks gather all light.
-    gaps: Option<NarrowGaps<'a>>,
+    doubtful: Option<DoubtfulPlaces<'a>>,
 }
 
 impl<'a> Gathering<'a> {
-    /// The way in which light is gathered outside narrow gaps.
+    /// The way in which light is gathered outside of doubtful places.
     pub fn by(&self) -> &GatheredBy<'a> {
         &self.by
     }
 
     /// All light of a point.
     pub fn read(&self, receiver: &ReceiverPoint) -> ReadIrradiance {
-        let in_gap = self.gaps.as_ref().and_then(|gaps| gaps.read(receiver));
-        in_gap.unwrap_or_else(|| match &self.by {
-            GatheredBy::Cells(gather) => gather.at(receiver).into(),
-            GatheredBy::Rays(gather) => gather.read(&Receiver::Point(*receiver)),
+        let origin = Receiver::Point(*receiver);
+        self.in_gap(&origin).unwrap_or_else(|| match &self.by {
+            GatheredBy::Cells(gather) => {
+                let [lit, reflected] = gather.parts(receiver);
+                self.settled(&origin, &lit, &reflected)
+            }
+            GatheredBy::Rays(gather) => gather.read(&origin),
         })
+    }
+
+    /// All light of a receiver in a narrow gap; None elsewhere.
+    pub fn in_gap(&self, origin: &Receiver) -> Option<ReadIrradiance> {
+        self.doubtful.as_ref().and_then(|places| places.in_gap(origin))
+    }
+
+    /// All light of a receiver of which cells found the parts `lit` by emitters and `reflected` (W m⁻² per band): these,
+    /// and where they are doubtful, what is read anew.
+    pub fn settled(&self, origin: &Receiver, lit: &[f64], reflected: &[f64]) -> ReadIrradiance {
+        let anew = self.doubtful.as_ref().and_then(|places| places.in_shadow(origin, lit, reflected));
+        anew.unwrap_or_else(|| lit.iter().zip(reflected).map(|(d, s)| d + s).collect::<Vec<f64>>().into())
     }
 
     /// The reflected light of a point, one of many, beside the direct light `lit` (W m⁻² per band).
     pub fn reflected(&self, receiver: &ReceiverPoint, lit: &[f64]) -> ReadIrradiance {
-        match &self.by {
+        let in_gap = self.doubtful.as_ref().and_then(|places| places.reflected_in_gap(receiver, lit));
+        in_gap.unwrap_or_else(|| match &self.by {
             GatheredBy::Cells(gather) => {
                 let around = gather.reflection().around(&receiver.site());
                 gather.reflection().irradiance(receiver, &around, lit).into()
             }
             GatheredBy::Rays(gather) => gather.reflected(receiver, lit),
-        }
+        })
     }
 }
 
@@ -108,13 +125,14 @@ impl GatherMethod {
         let by = match twice {
             _ if self == Self::Walks => by_rays(Beyond::Walked),
             _ if self.rays(solution, visibility, eps, rougher * eps, points, twice) => {
-                by_rays(if twice { Beyond::Gathered } else { Beyond::Polynomials })
+                by_rays(if twice { Beyond::Gathered } else { Beyond::Trusted })
             }
             true => GatheredBy::Cells(Gather::twice(solution, visibility, eps)),
             false => GatheredBy::Cells(Gather::new(solution, visibility, eps)),
         };
-        let gaps = if self == Self::Walks { None } else { NarrowGaps::of(solution, visibility, eps) };
-        Gathering { by, gaps }
+        let places = || DoubtfulPlaces::of(solution, visibility, rougher * eps);
+        let doubtful = if self == Self::Walks { None } else { places() };
+        Gathering { by, doubtful }
     }
 
     /// Whether rays gather light to the relative accuracy `by_rays`, where cells would to `by_cells`.
@@ -140,8 +158,16 @@ impl GatherMethod {
         }
     }
 
-    /// About the seconds of one core that so many points take to the relative accuracy `eps`, of which about
-    /// `together` are read together.
+    /// About the seconds of one core that those of so many points take that are in narrow gaps, if as many are as there
+    /// are surfaces, to the relative accuracy `eps`.
+    pub fn seconds_in_gaps(self, solution: &Solution, visibility: &Visibility, eps: f64, points: f64) -> f64 {
+        let places = || DoubtfulPlaces::of(solution, visibility, eps);
+        let places = if self == Self::Walks { None } else { places() };
+        places.map_or(0.0, |places| points * places.in_gaps() * WALK * usual_walks(eps.max(BY_WALKS)))
+    }
+
+    /// About the seconds of one core that so many points outside of narrow gaps take to the relative accuracy `eps`, of
+    /// which about `together` are read together.
     pub fn seconds(
         self,
         solution: &Solution,

@@ -21,6 +21,9 @@
 //! The light of luminaires at x is exact ([`radiosity_light::point_lights`]); E₁(y) has that of one of them,
 //! by a ray.
 //!
+//! *Trusted*, readings of all light at y that may be far from what polynomials say, y on a large element beside x or near
+//! an emitter, go on from there (`super::trusted_light`), and take polynomials of all light nowhere.
+//!
 //! Gathered twice, E₁(y) is itself estimated so, by one ray of either kind.
 //!
 //! *Walked*, what is reflected at y is added by a walk from there (`super::walked_light`): nothing of the polynomials
@@ -88,6 +91,8 @@ const SMALL_BEHIND_PIXELS: f64 = 10.0;
 pub enum Beyond {
     /// The polynomials of the solution.
     Polynomials,
+    /// These where they are trusted, elsewhere rays that go on until they are.
+    Trusted,
     /// Gathered in its turn by one ray of either kind.
     Gathered,
     /// By rays that go on until they end.
@@ -106,6 +111,17 @@ pub struct RayGather<'a> {
     /// Irradiance per band below which errors are to be small relative to this (W m⁻²).
     dark: Vec<f64>,
     beyond: Beyond,
+}
+
+/// Numbers of cosine-distributed rays of each sequence.
+#[derive(Clone, Copy)]
+struct RayCounts {
+    /// Sent at once at first.
+    first: u64,
+    /// Least before the error is looked at.
+    least: u64,
+    /// Most of all sequences.
+    most: u64,
 }
 
 /// Sources of the irradiance where a ray ends.
@@ -152,22 +168,44 @@ impl<'a> RayGather<'a> {
         Self { solution: solution.sent(), rays, scale, eps, dark, beyond }
     }
 
+    /// As made, but errors are to be small relative to the irradiance `dark` (W m⁻² per band) where less arrives.
+    pub(super) fn with_dark(self, dark: Vec<f64>) -> Self {
+        Self { dark, ..self }
+    }
+
     /// All light of a receiver. It depends on nothing but the receiver.
     pub fn read(&self, origin: &Receiver) -> ReadIrradiance {
         let shares = self.rays.lamps.seen_from(&origin.middle());
-        self.gathered(origin, Some(&shares), FIRST, &vec![0.0; self.scale.len()])
+        self.gathered(self.beyond, origin, Some(&shares), FIRST, &vec![0.0; self.scale.len()])
     }
 
-    /// The reflected light of a point alone, one of many, accurate relative to this and the light `other` (W
-    /// m⁻² per band).
+    /// The reflected light of a receiver alone, accurate relative to this and the light `other` (W m⁻² per band).
+    pub(super) fn reflected_alone(&self, origin: &Receiver, other: &[f64]) -> ReadIrradiance {
+        self.gathered(self.beyond, origin, None, FIRST, other)
+    }
+
+    /// The reflected light of a point alone, one of many, as of [`Self::reflected_alone`]; from polynomials where these
+    /// are trusted.
     pub fn reflected(&self, receiver: &ReceiverPoint, other: &[f64]) -> ReadIrradiance {
-        self.gathered(&Receiver::Point(*receiver), None, FIRST_OF_MANY, other)
+        let beyond = if self.beyond == Beyond::Trusted { Beyond::Polynomials } else { self.beyond };
+        self.gathered(beyond, &Receiver::Point(*receiver), None, FIRST_OF_MANY, other)
     }
 
-    /// Reflected light, and direct light where there are `shares`, from `first` rays of each sequence on;
-    /// `other` light (W m⁻² per band) arrives too.
+    /// Numbers of rays, of which `first` are sent before the error is looked at where they do not go on.
+    fn counts(&self, first: u64) -> RayCounts {
+        match self.beyond {
+            Beyond::Walked => {
+                RayCounts { first: FEWEST_WALKS, least: FIRST_WALKS, most: most_walks(self.eps) }
+            }
+            _ => RayCounts { first, least: first, most: most_rays(self.eps) },
+        }
+    }
+
+    /// Reflected light with that of what rays meet from `beyond`, and direct light where there are `shares`, from
+    /// `first` rays of each sequence on; `other` light (W m⁻² per band) arrives too.
     fn gathered(
         &self,
+        beyond: Beyond,
         origin: &Receiver,
         shares: Option<&Shares>,
         first: u64,
@@ -179,22 +217,20 @@ impl<'a> RayGather<'a> {
         let bands = self.scale.len();
         let mut sums = vec![0.0; BATCHES * bands];
         let lit = shares.and(self.lit(origin));
-        let (first, least, most) = match self.beyond {
-            Beyond::Walked => (FEWEST_WALKS, FIRST_WALKS, most_walks(self.eps)),
-            _ => (first, first, most_rays(self.eps)),
-        };
+        let RayCounts { first, least, most } = self.counts(first);
+        let go_on = matches!(beyond, Beyond::Walked | Beyond::Trusted);
         let (mut sent, mut now) = (0, first);
         let (mut surfaces, mut are_whole) = (0, true);
         loop {
             for (batch, sums) in sums.chunks_exact_mut(bands).enumerate() {
                 let own = number.wrapping_add(batch as u64);
-                if self.beyond == Beyond::Walked {
+                if go_on {
                     let mut scores = Scores { sums, surfaces: 0, are_whole: true };
                     self.walk_around(origin, shares, own, sent..sent + now, &mut scores);
                     surfaces += scores.surfaces;
                     are_whole &= scores.are_whole;
                 } else {
-                    self.send_around(origin, shares, own, sent..sent + now, sums);
+                    self.send_around(beyond, origin, shares, own, sent..sent + now, sums);
                 }
                 if shares.is_some() {
                     self.add_points(origin, lit.as_deref(), own, sent..sent + now, sums);
@@ -209,7 +245,7 @@ impl<'a> RayGather<'a> {
             let is_last = BATCHES as u64 * 2 * sent > most || 2 * surfaces > MOST_SURFACES || !are_whole;
             if is_last || (sent >= least && CAUTION * missed <= self.eps) {
                 if !are_whole {
-                    deviation.relative = f64::INFINITY;
+                    (deviation.relative, deviation.absolute) = (f64::INFINITY, f64::INFINITY);
                 }
                 return ReadIrradiance { irradiance, deviation: Some(deviation) };
             }
@@ -220,6 +256,7 @@ impl<'a> RayGather<'a> {
     /// Sends the cosine-distributed rays of these numbers.
     fn send_around(
         &self,
+        beyond: Beyond,
         origin: &Receiver,
         shares: Option<&Shares>,
         number: u64,
@@ -234,10 +271,10 @@ impl<'a> RayGather<'a> {
             radiosity.fill(0.0);
             check_interrupt_at(index);
             let chance = number_of([f64::from_bits(number), index as f64]);
-            let end_light = match (self.beyond, shares) {
-                (Beyond::Gathered | Beyond::Walked, _) => EndLight::Gathered(chance),
+            let end_light = match (beyond, shares) {
                 (Beyond::Polynomials, Some(_)) => EndLight::Direct { chance, small: SMALL },
                 (Beyond::Polynomials, None) => EndLight::Direct { chance, small: SMALL_BEHIND_PIXELS },
+                _ => EndLight::Gathered(chance),
             };
             let to_lamps = shares.map(|shares| ToLamps { shares, ratio: TO_LAMPS });
             self.add_met(&receiver, direction, to_lamps, end_light, &mut radiosity);
@@ -256,7 +293,7 @@ impl<'a> RayGather<'a> {
     ) {
         let offset: [f64; 4] = shift(number);
         let further: [f64; 8] = offsets(number);
-        let walked = WalkedLight::new(self.solution, &self.rays);
+        let walked = WalkedLight::new(self.solution, &self.rays, self.beyond == Beyond::Trusted);
         for index in walks {
             if !scores.are_whole {
                 return;
@@ -445,7 +482,7 @@ impl<'a> RayGather<'a> {
         let (n, rays) = (BATCHES as f64, sent as f64);
         let mut found = Estimate {
             irradiance: Vec::with_capacity(bands),
-            deviation: Deviation { relative: 0.0, is_dark: false },
+            deviation: Deviation { relative: 0.0, absolute: 0.0, is_dark: false },
             missed: 0.0,
         };
         for (band, other) in other.iter().enumerate() {
@@ -458,10 +495,12 @@ impl<'a> RayGather<'a> {
             let least = DARK * self.scale[band];
             found.deviation.is_dark |= mean + other < least;
             found.deviation.relative += (error / (mean + other).max(least)).powi(2);
+            found.deviation.absolute += error * error;
             found.missed += (error / (mean + other).max(self.dark[band])).powi(2);
             found.irradiance.push(mean);
         }
         found.deviation.relative = (found.deviation.relative / bands as f64).sqrt();
+        found.deviation.absolute = (found.deviation.absolute / bands as f64).sqrt();
         found.missed = (found.missed / bands as f64).sqrt();
         found
     }

@@ -16,7 +16,10 @@ pub struct ReadIrradiance {
 pub struct Deviation {
     /// Over the irradiance, root mean square over the bands.
     pub relative: f64,
-    /// Whether a band has less than 2 % of the scene's mean radiosity, and it is relative to these 2 %.
+    /// Root mean square over the bands (W m⁻²).
+    pub absolute: f64,
+    /// Whether a band has less than 2 % of the scene's mean radiosity, to which it is relative, or the point lies in a
+    /// gap or in shadow, where it is as small as asked for relative to the light of the scene.
     pub is_dark: bool,
 }
 
