@@ -9,6 +9,7 @@ mod closure;
 mod cornell;
 mod curved_bodies;
 mod edges;
+mod curved_emitters;
 mod curved_shadows;
 mod films;
 mod footprints;

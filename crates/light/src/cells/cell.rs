@@ -17,6 +17,7 @@ use radiosity_scene::Radiance;
 use radiosity_visibility::shadow_volume::Quad;
 use smallvec::{SmallVec, smallvec};
 
+use crate::cells::moments::{Grid, Moments};
 use crate::tolerances::{COSINE_OF_FLAT, LONG_CELL};
 
 /// Number of Gauss points, index 2 a + b for the a-th along s and the b-th along t.
@@ -70,6 +71,8 @@ pub(crate) struct Cell {
     pub(crate) is_straight: bool,
     /// Sagitta over radius: about how far a curved cell lies off the quadrilateral of its corners.
     pub(crate) warp: f64,
+    /// By how much its points miss its area and place.
+    pub(crate) moments: Moments,
 }
 
 /// A quadrilateral with its size.
@@ -103,21 +106,24 @@ impl Cell {
         };
         let nodes: [Node; POINTS] = std::array::from_fn(node);
         let lanes = [0, 1, 2].map(|axis| nodes.map(|node| node.position[axis]));
-        let mut samples = Vec::new();
+        let (mut samples, mut moments, mut warp) = (Vec::new(), Moments::EXACT, 0.0);
+        let mut corners = None;
         if !patch.is_flat() {
+            let grid = Grid::of(&patch);
             let tangent = |node: &Node| Plane { point: node.position, normal: node.normal };
-            samples.extend(nodes.iter().map(tangent));
-            let corners = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [1.0, 1.0]].map(|[s, t]| patch.node(s, t));
-            samples.extend(corners.iter().map(tangent));
+            samples.extend(nodes.iter().chain(&grid.corners()).map(tangent));
+            moments = Moments::of(&nodes, &grid, center);
+            let found = corners.insert(grid.corners().map(|node| node.position));
+            warp = if radius > 0.0 { patch.sagitta_of(found, grid.middle()) / radius } else { 0.0 };
         }
+        let corners = corners.unwrap_or_else(|| patch.corners());
         let pairs = samples
             .iter()
             .enumerate()
             .flat_map(|(k, a)| samples[..k].iter().map(move |b| a.normal.dot(b.normal)));
         let bend = pairs.fold(1.0, f64::min);
-        let is_straight = patch.is_flat() || (bend > COSINE_OF_FLAT && hull[..] == patch.corners());
-        let quad = is_straight.then(|| MeasuredQuad::of(Quad::new(patch.corners())));
-        let warp = if radius > 0.0 { patch.sagitta() / radius } else { 0.0 };
+        let is_straight = patch.is_flat() || (bend > COSINE_OF_FLAT && hull[..] == corners);
+        let quad = is_straight.then(|| MeasuredQuad::of(Quad::new(corners)));
         Self {
             patch,
             level,
@@ -138,6 +144,7 @@ impl Cell {
             bend,
             is_straight,
             warp,
+            moments,
         }
     }
 
