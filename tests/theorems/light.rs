@@ -4,6 +4,7 @@
 mod by_rays;
 mod chosen_masks;
 mod penumbrae;
+mod panes;
 mod pictures;
 mod closure;
 mod cornell;
@@ -26,6 +27,7 @@ mod models;
 mod occlusion;
 mod reflected_steps;
 mod shapes;
+mod shells;
 mod skies;
 mod slits;
 mod split;

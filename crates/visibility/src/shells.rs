@@ -82,14 +82,18 @@ impl Shells {
     /// Whether a shell hides a surface from two places.
     pub(super) fn hide(&self, surface: usize, from: [&Place; 2], obstacles: &[Obstacle]) -> bool {
         let around = self.around.get(surface).into_iter().flatten();
-        around.map(|shell| &self.shells[*shell]).any(|shell| from.iter().all(|a| shell.is_before(a, obstacles)))
+        around
+            .map(|shell| &self.shells[*shell])
+            .any(|shell| from.iter().all(|a| shell.is_before(a, obstacles)))
     }
 
     /// The shells that a place lies within.
     fn around(&self, place: &Place) -> SmallVec<[usize; 1]> {
         match place.surface {
             Some(surface) => self.around[surface].clone(),
-            None => (0..self.shells.len()).filter(|shell| self.shells[*shell].contains(place.points)).collect(),
+            None => {
+                (0..self.shells.len()).filter(|shell| self.shells[*shell].contains(place.points)).collect()
+            }
         }
     }
 }

@@ -19,7 +19,8 @@ const GRID: usize = 300;
 /// Receivers of each emitter.
 const RECEIVERS: usize = 60;
 
-/// Part of the light on a receiver that faces the emitter of which light is as good as [`ACCURACY`] in any case.
+/// Part of the light, were the emitter as bright as face on and the receiver turned to it, of which light is as good as
+/// [`ACCURACY`] in any case.
 const DARK: f64 = 0.05;
 
 /// Distance from the middle of an emitter from which its light has a closed form: more than twice its radius.
@@ -106,7 +107,7 @@ fn check(name: &str, scene: &Scene, index: usize, radiance: impl Fn(f64) -> f64 
     let hull = shape.hull(&Rect::FULL);
     for ((x, n), by_cells) in points.into_iter().zip(cells) {
         let right = quadrature(shape, radiance, x, n);
-        let facing = quadrature(shape, radiance, x, -x.normalize());
+        let facing = quadrature(shape, |_| radiance(1.0), x, -x.normalize());
         let assert_right = |found: f64, by: &str| {
             let off = (found - right) / (right + DARK * facing);
             assert!(off.abs() < ACCURACY, "{name} from {x} towards {n} by {by}: {found}, not {right}");

@@ -11,7 +11,8 @@
 //! |δE| ≤ |δS| / (π d²) + √6 |δM| / (π d³) ,     d = |c − x| ,
 //! ```
 //!
-//! since |f| = cos θ/(π r²) and, in the Frobenius norm, |∇f|² = (1 + 5 cos² θ)/(π r³)².
+//! since |f| = cos θ/(π r²) and, in the Frobenius norm, |∇f|² = (1 + 5 cos² θ)/(π r³)². A field that varies by ΔB over
+//! the cell, of the radius h, adds about F ΔB |δM| / (|S| h).
 //!
 //! Formula. Of a smooth function of the chart, Gauss's rule errs by +h⁵ f⁗/4320 and Simpson's, of 3 × 3 points, by
 //! −h⁵ f⁗/2880: Gauss's errs by ⅖ of their difference. A ring charted by its angle in one cell is missed by 0.08
@@ -87,6 +88,12 @@ impl Moments {
         grid.weighted().for_each(|node| add(&node, -GAUSS));
         let square: f64 = place.iter().map(|row| row.length_squared()).sum();
         Self { area: area.length(), place: square.sqrt() }
+    }
+
+    /// Distance by which points miss the middle of a cell of this area, over its radius: the part of the variation of
+    /// a field that they miss of its mean.
+    pub(crate) fn offset(&self, area: f64, radius: f64) -> f64 {
+        if area * radius > 0.0 { self.place / (area * radius) } else { 0.0 }
     }
 
     /// Bound, to first order, of the error of the irradiance from exitance 1 at this distance.

@@ -218,7 +218,7 @@ impl Traversal<'_> {
             return Estimate { weights, error: f64::INFINITY };
         }
         let near = if width > NEAR { NEAR_OWN * stake } else { CURVED * whole * gauss_error(cell, width) };
-        let form = near + self.border(cell) + self.misplaced(cell, width);
+        let form = near + self.border(cell) + self.misplaced(seen);
         if before.is_empty() {
             return Estimate { weights, error: form };
         }
@@ -260,8 +260,14 @@ impl Traversal<'_> {
     }
 
     /// Error of a curved cell whose points miss its area or its place; a near one has that of its near rule.
-    fn misplaced(&self, cell: &Cell, width: f64) -> f64 {
-        if width > NEAR { 0.0 } else { cell.brightness * cell.moments.error_at(self.distance(cell)) }
+    fn misplaced(&self, seen: &SeenCell) -> f64 {
+        let SeenCell { cell, weights, width, .. } = *seen;
+        if width > NEAR {
+            return 0.0;
+        }
+        let of_field =
+            weights.iter().sum::<f64>() * cell.spread * cell.moments.offset(cell.area(), cell.radius);
+        cell.brightness * cell.moments.error_at(self.distance(cell)) + of_field
     }
 
     /// Error of a curved cell that is seen in part, at its silhouette or the horizon.
