@@ -205,11 +205,14 @@ impl Patch {
     /// About the patch's distance from the plane of its corners: of its middle from theirs, and their twist;
     /// 0 if flat.
     pub fn sagitta(&self) -> f64 {
+        if self.is_flat() { 0.0 } else { self.sagitta_of(&self.corners(), &self.node(0.5, 0.5)) }
+    }
+
+    /// As [`Patch::sagitta`], where the corners and the middle of the patch are known.
+    pub fn sagitta_of(&self, [a, b, c, d]: &[DVec3; 4], middle: &Node) -> f64 {
         if self.is_flat() {
             return 0.0;
         }
-        let [a, b, c, d] = self.corners();
-        let middle = self.node(0.5, 0.5);
         let twist = 0.25 * (a - b + c - d).dot(middle.normal).abs();
         middle.position.distance(0.25 * (a + b + c + d)) + 2.0 * twist
     }

@@ -15,6 +15,7 @@
 use radiosity_elements::Element;
 use radiosity_geom::{Aabb, DVec3, Plane};
 use radiosity_kernel::irradiance::ball::ball;
+use radiosity_scene::Radiance;
 use radiosity_visibility::Visibility;
 
 use crate::area_light::{AreaLight, flat_outline, irradiance};
@@ -100,7 +101,7 @@ impl<'a> LightSource<'a> {
                 Some(_) if is_diffuse => {
                     Form::Polygons(element.patches.iter().map(|patch| patch.polygon()).collect())
                 }
-                Some(_) if radiance.is_some_and(|own| own.zenith().is_some()) => {
+                Some(_) if radiance.is_some_and(Radiance::is_of_opening) => {
                     Form::Opening(Tree::uniform(element, 1.0).spread(radiance.cloned()))
                 }
                 _ => Form::Points,
@@ -126,6 +127,11 @@ impl<'a> LightSource<'a> {
     /// Extent of the emitter that may be hidden.
     pub(super) fn extent(&self) -> Extent<'_> {
         Extent { hull: &self.hull, center: self.bounds.center(), radius: 0.5 * self.bounds.diagonal() }
+    }
+
+    /// Whether it is an opening to a sky.
+    pub(super) fn is_opening(&self) -> bool {
+        matches!(self.form, Form::Opening(_))
     }
 
     /// Its bounding box.

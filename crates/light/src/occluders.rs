@@ -2,11 +2,12 @@
 //! element.
 //!
 //! An obstacle hides no part of an element from the site if it lies outside the box around both, wholly below
-//! the site's horizon, or wholly behind the element's plane. What remains is tested cell by cell.
+//! the site's horizon, or wholly behind the element's plane; or if it lies within a whole ball, and the site and the
+//! element without. A whole ball between site and element hides all. What remains is tested cell by cell.
 
 use radiosity_elements::Element;
 use radiosity_geom::{Aabb, COINCIDENT, DVec3, Plane};
-use radiosity_visibility::Visibility;
+use radiosity_visibility::{Place, Visibility};
 
 /// A point or a small piece of surface that receives light.
 #[derive(Clone, Copy, Debug)]
@@ -79,9 +80,12 @@ impl Occluders {
             Some(surface) => visibility.encloses(*other, surface),
             None => visibility.contains(*other, site),
         };
+        let here = Place { points: site, surface };
         let mut places = Vec::new();
         let ranges = senders.map(|sender| {
-            if !rises(&sender.bounds.corners()) || !is_before(site, &sender) {
+            let corners = sender.bounds.corners();
+            let there = Place { points: &corners, surface: Some(sender.surface) };
+            if !rises(&corners) || !is_before(site, &sender) || visibility.are_parted(&here, &there) {
                 return None;
             }
             let shaft = around.union(sender.bounds);
@@ -99,6 +103,7 @@ impl Occluders {
                     && !own(obstacles[*place], sender.surface)
                     && !touches()
                     && !holds_both()
+                    && !visibility.is_shut_away(obstacles[*place], [&here, &there])
             };
             let start = places.len();
             places.extend((0..obstacles.len()).filter(stands));

@@ -16,12 +16,13 @@
 //! U_l ≈ A/n Σ_k w_k κ(x, y_k)        where it has no closed form .
 //! ```
 //!
-//! U_l of flat diffuse emitters and of whole curved surfaces has a closed form but for some points near them
-//! (`super::light_sources`). What may stand between a point and an emitter that sends at least a tenth of all
-//! light is listed first ([`super::occluders`], `super::blockers`). Where a flat thing or convex body hides
-//! all of the emitter v_l = 0; where nothing stands there v_l = 1; where at most 8 shadow volumes of flat
-//! things hide a part of a flat emitter, U_l v_l is the sum over what they leave of it: no ray is sent, and D
-//! is exact. Else rays ask what is listed. Rays of weaker emitters ask all surfaces.
+//! U_l of flat diffuse emitters and of whole curved surfaces has a closed form but for some points near them;
+//! that of openings to a sky is a sum over cells, to ε of it or, where an emitter may send but the share s < 0.02 of
+//! all light, to 0.02 ε/s (`super::light_sources`). What may stand between a point and an emitter that sends at least
+//! a tenth of all light is listed first ([`super::occluders`], `super::blockers`). Where a flat thing or convex body
+//! hides all of the emitter v_l = 0; where nothing stands there v_l = 1; where at most 8 shadow volumes of flat things
+//! hide a part of a flat diffuse emitter or of an opening, U_l v_l is the sum over what they leave of it: no ray is
+//! sent, and D is exact for the former. Else rays ask what is listed. Rays of weaker emitters ask all surfaces.
 //!
 //! The points y_k are a Kronecker sequence, shifted for each x and l, on the emitter or, within three of its
 //! radii, on its cells (`super::lamp_cells`). The first rays are 24 times the share of the emitter in all
@@ -36,10 +37,12 @@
 //! [`RayEffort::error_factor`], all of them and E₀ means over the bands, and
 //!
 //! ```text
-//! σ_l = ½   with a closed form ,     σ_l² = max( ¼ , (n Σ (w κ V)² − (Σ w κ V)²) / (Σ w κ)² )   without .
+//! σ_l = ½   of even emitters with a closed form ,
+//! σ_l² = max( ¼ , n Σ (w κ (V − v_l))² / (Σ w κ)² )   of openings, whose light varies over them ,
+//! σ_l² = max( ¼ , (n Σ (w κ V)² − (Σ w κ V)²) / (Σ w κ)² )   where rays tell U_l too .
 //! ```
 //!
-//! Where U_l has a closed form and all rays agree, e_l is 0, or 0.37 E₀ U_l/n if [`RayEffort::sure`]: n rays
+//! Where U_l is known and all rays agree, e_l is 0, or 0.37 E₀ U_l/n if [`RayEffort::sure`]: n rays
 //! miss a part f of the emitter with the probability (1 − f)ⁿ, and f (1 − f)ⁿ ≤ 1/(e n).
 //!
 //! Range of use. Emitters with an exitance; the light of luminaires and of the sun comes on top, by
@@ -89,6 +92,9 @@ const CUT_OUT: usize = 8;
 /// Rays to a curved emitter, at most, before they are compared: some more than to a flat one, since half of
 /// its points may face away.
 const FIRST_TO_CURVED: f64 = 32.0;
+
+/// Part of U by which what blockers leave of it is less where they hide anything: more than rounding. Chosen.
+const SEEN_WHOLE: f64 = 1e-9;
 
 /// Most rays to an emitter: a bound of the time of a point, at which n^(−3/4) is 0.6 %.
 const MOST: u64 = 1024;
@@ -179,8 +185,10 @@ struct EmitterBeam<'a> {
     /// U_l, where that needs no rays.
     whole: Option<f64>,
     sent: u64,
-    /// Σ w κ over all rays, and over those that arrive; Σ (w κ)² over these.
+    /// Σ w κ and Σ (w κ)² over all rays.
     all: f64,
+    all_squares: f64,
+    /// Σ w κ and Σ (w κ)² over those that arrive.
     seen: f64,
     squares: f64,
 }
@@ -206,7 +214,8 @@ impl<'a> Penumbra<'a> {
             .collect();
         let beams =
             some.iter().map(|(source, share, listed)| self.beam(receiver, source, *share, listed.as_ref()));
-        let mut beams: SmallVec<[EmitterBeam; 1]> = beams.filter(|beam| beam.whole != Some(0.0)).collect();
+        let is_dark = |beam: &EmitterBeam| beam.whole == Some(0.0) || beam.known == Some(0.0);
+        let mut beams: SmallVec<[EmitterBeam; 1]> = beams.filter(|beam| !is_dark(beam)).collect();
         let arrives: f64 = beams.iter().map(|beam| beam.source.lamp.brightness * beam.factor()).sum();
         let tolerance = effort.error_factor * self.eps * (beside + arrives).max(DARK * all);
         self.refine(receiver, &mut beams, tolerance, effort.sure);
@@ -237,19 +246,21 @@ impl<'a> Penumbra<'a> {
     ) -> EmitterBeam<'l> {
         let between =
             listed.map_or(Some(Obstruction::Anything), |listed| self.between(receiver, source, listed));
-        let whole = match between {
-            None => Some(0.0),
-            _ => source.whole(receiver, self.visibility, self.eps),
-        };
+        // What errs by ε of the least light that counts is exact enough.
+        let eps = self.eps * (DARK / share).max(1.0);
         let known = match &between {
             None => Some(0.0),
-            Some(Obstruction::Nothing) => whole,
             Some(Obstruction::Some(shadows, before)) if is_cut_out(shadows, *before) => {
-                self.cut_out(receiver, source, shadows.volumes(*before), listed)
+                self.cut_out(receiver, source, shadows.volumes(*before), listed, eps)
             }
-            Some(Obstruction::Some(..)) => None,
-            Some(Obstruction::Anything) => None,
+            Some(_) => None,
         };
+        // A sum over cells costs as much as what is known already.
+        let whole = match known {
+            Some(known) if known == 0.0 || source.is_opening() => None,
+            _ => source.whole(receiver, self.visibility, eps),
+        };
+        let known = known.or_else(|| whole.filter(|_| matches!(between, Some(Obstruction::Nothing))));
         let place = receiver.position.to_array().into_iter();
         let mut beam = EmitterBeam {
             cells: cells(&source.lamp, receiver),
@@ -260,6 +271,7 @@ impl<'a> Penumbra<'a> {
             whole,
             sent: 0,
             all: 0.0,
+            all_squares: 0.0,
             seen: 0.0,
             squares: 0.0,
         };
@@ -289,20 +301,21 @@ impl<'a> Penumbra<'a> {
         Some(if before.is_empty() { Obstruction::Nothing } else { Obstruction::Some(shadows, before) })
     }
 
-    /// U_l v_l of a flat emitter behind the shadow volumes `volumes` of all that is listed before it; None of
-    /// others.
+    /// U_l v_l of a flat emitter behind the shadow volumes `volumes` of all that is listed before it, of an opening
+    /// to the relative accuracy `eps`; None of others.
     fn cut_out<'s>(
         &self,
         receiver: &ReceiverPoint,
         source: &LightSource,
         volumes: impl Iterator<Item = &'s ShadowVolume> + Clone,
         listed: Option<&Occluders>,
+        eps: f64,
     ) -> Option<f64> {
         match source.polygons() {
             Some(polygons) => {
                 Some(polygons.iter().map(|polygon| receiver.factor(polygon, volumes.clone())).sum())
             }
-            None => source.through_opening(receiver, self.visibility, listed?, self.eps),
+            None => source.through_opening(receiver, self.visibility, listed?, eps),
         }
     }
 
@@ -332,6 +345,7 @@ impl<'a> Penumbra<'a> {
             let into = (receiver.position - target.node.position).normalize_or_zero();
             let value = target.weight * kernel * self.radiances.relative(beam.source.surface, into);
             beam.all += value;
+            beam.all_squares += value * value;
             if self.is_free(receiver, beam, target.node.position) {
                 beam.seen += value;
                 beam.squares += value * value;
@@ -396,22 +410,28 @@ impl EmitterBeam<'_> {
         }
     }
 
-    /// σ: ½ where U_l has a closed form; else the standard deviation of w κ V over the mean of w κ, at least
-    /// ½.
+    /// σ: ½ of even emitters whose U_l is known; else the standard deviation of w κ V, or of w κ (V − v) of an
+    /// opening, over the mean of w κ, at least ½.
     fn deviation(&self) -> f64 {
-        if self.whole.is_some() || self.all == 0.0 {
+        let is_opening = self.source.is_opening();
+        if self.all == 0.0 || (self.whole.is_some() && !is_opening) {
             return LEAST;
         }
-        let rays = self.sent as f64;
-        let squares = self.squares - self.seen * self.seen / rays;
+        let (rays, part) = (self.sent as f64, self.seen / self.all);
+        let squares = match is_opening {
+            true => (1.0 - 2.0 * part) * self.squares + part * part * self.all_squares,
+            false => self.squares - self.seen * self.seen / rays,
+        };
         ((squares.max(0.0) * rays).sqrt() / self.all).max(LEAST)
     }
 
-    /// Whether it is seen partly.
+    /// Whether it is seen partly. An opening from which blockers are cut out counts so where they leave anything:
+    /// how much they hide is not asked.
     fn is_mixed(&self) -> bool {
         match (self.known, self.whole) {
-            (Some(known), Some(whole)) => known > 0.0 && known < whole,
-            _ => self.seen > 0.0 && self.seen < self.all,
+            (Some(known), Some(whole)) => known > 0.0 && known < (1.0 - SEEN_WHOLE) * whole,
+            (Some(known), None) => known > 0.0,
+            (None, _) => self.seen > 0.0 && self.seen < self.all,
         }
     }
 }

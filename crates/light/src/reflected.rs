@@ -65,10 +65,12 @@ impl<'a> Reflection<'a> {
         scale: Vec<f64>,
         eps: f64,
     ) -> Self {
-        let steps = match points.is_empty() {
+        let steps = |element: &Element| match points.is_empty() {
             true => Steps::Nowhere,
-            false if points.have_beams() => Steps::Beams,
-            false => Steps::Shadows,
+            false => match points.levels_of_beams(&element.bounds()) {
+                0 => Steps::Shadows,
+                levels => Steps::Beams(levels),
+            },
         };
         let reflects = |i: &usize| coatings.iter().any(|coating| coating.scatters(*i));
         let reflecting: Vec<usize> = (0..elements.len()).filter(reflects).collect();
@@ -85,7 +87,7 @@ impl<'a> Reflection<'a> {
                     *out += coating.transmittance(*element) * lit;
                 }
             };
-            Tree::new(&elements[*element], &scale, steps, eps, &field)
+            Tree::new(&elements[*element], &scale, steps(&elements[*element]), eps, &field)
         };
         let trees = reflecting.par_iter().with_max_len(1).map(tree).collect();
         Self { visibility, trees, elements: reflecting, scale, eps }

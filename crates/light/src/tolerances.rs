@@ -58,3 +58,7 @@ pub const DARK: f64 = 0.02;
 /// slender cells take more parts to become as short as rules want; with a smaller one parts may become
 /// broader than they are long.
 pub const LONG_CELL: f64 = 2.0;
+
+/// As [`LONG_CELL`], of flat cells. Chosen: walls and tables are quartered, and strips are cut across: with cuts along
+/// a strip as well, a point beside it would need as many cells as the square of its length over its breadth.
+pub(crate) const LONG_STRIP: f64 = 4.0;

@@ -13,7 +13,6 @@ mod cell_rule;
 use std::f64::consts::PI;
 use std::iter;
 
-use radiosity_elements::patch::Node;
 use radiosity_geom::{DVec3, Plane};
 use radiosity_scene::Radiance;
 use radiosity_visibility::Visibility;
@@ -152,11 +151,14 @@ impl<'a> Traversal<'a> {
         tree.roots().iter().map(bound).sum()
     }
 
-    /// As [`Traversal::bound`], by the greatest light from the points of each part of an opening.
+    /// As [`Traversal::bound`], by the greatest light from the points of each part of an opening and the nearest one.
     fn bound_of_opening(&self, tree: &Tree, radiance: &Radiance) -> f64 {
-        let towards = |node: &Node| (self.receiver.position - node.position).normalize_or_zero();
+        let position = self.receiver.position;
+        let towards = |y: DVec3| (position - y).normalize_or_zero();
         let bound = |part: &Cell| {
-            let greatest = part.nodes.iter().map(|node| radiance.relative(towards(node))).fold(0.0, f64::max);
+            // Glass that is close by lets most through at the foot of the point.
+            let places = part.nodes.iter().map(|node| node.position).chain(part.foot(position));
+            let greatest = places.map(|y| radiance.relative(towards(y))).fold(0.0, f64::max);
             part.brightness * greatest * self.receiver.factor(&part.hull, iter::empty())
         };
         let of_root = |root: &Cell| match self.at_horizons(tree, root) {

@@ -41,6 +41,11 @@ impl Radiance {
         }
     }
 
+    /// Whether it is that of an opening to a sky.
+    pub fn is_of_opening(&self) -> bool {
+        self.outlook().is_some()
+    }
+
     /// Unit vector to the zenith of a sky: a jumps between directions that rise and directions that fall. None
     /// for a luminaire.
     pub fn zenith(&self) -> Option<DVec3> {

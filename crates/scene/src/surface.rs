@@ -88,7 +88,7 @@ impl SceneSurface {
 
     /// Whether it is an opening to a sky.
     pub fn is_opening(&self) -> bool {
-        self.radiance.as_ref().is_some_and(|own| own.outlook().is_some())
+        self.radiance.as_ref().is_some_and(Radiance::is_of_opening)
     }
 
     /// Whether it is the luminous area of a luminaire.

@@ -9,7 +9,7 @@
 //! In order: [`tolerances`], [`blocker_edges`], [`bounding_ball`], [`shadow_volume`], `shadow_cone` and
 //! [`blocker_shadow`] (what blockers hide from a point), `cloud`, `convex_bodies`, `screens` (joined
 //! surfaces), [`silhouette_mesh`], [`Shadows`] (ways to find them), `within` (what lies in a convex solid),
-//! `obstacle` (of what obstacles are made), `rays` and `whole` (what rays meet first, what hides as a whole),
+//! `obstacle` (of what obstacles are made), `shells` (balls with something within), `rays` and `whole` (what rays meet first, what hides as a whole),
 //! `screened` (what joined surfaces hide), [`Visibility`], the noun of the crate; then what a scene says of
 //! itself: [`footprints`] (where bodies stand), [`covered_parts`] (flat surfaces on others) and
 //! [`inspection`] (contents, contacts, what looks wrong).
@@ -29,6 +29,7 @@ pub mod silhouette_mesh;
 mod shadows;
 mod within;
 mod obstacle;
+mod shells;
 mod rays;
 mod whole;
 mod screened;
@@ -52,6 +53,8 @@ use obstacle::{Bend, Obstacle};
 pub use screens::End;
 use screens::Screens;
 pub use shadows::Shadows;
+pub use shells::Place;
+use shells::Shells;
 use silhouette_mesh::SilhouetteMesh;
 use tolerances::{END, OWN_END};
 
@@ -71,6 +74,8 @@ pub struct Visibility {
     standing_tree: Bvh,
     bodies: Bodies,
     screens: Screens,
+    /// Whole balls with something within; none without shadows.
+    shells: Shells,
     /// Rank of each surface by the coordinates of its hull.
     places: Vec<usize>,
     shadows: Shadows,
@@ -109,8 +114,25 @@ impl Visibility {
         let tree = Bvh::build(&boxes);
         let rays = RayTree::new(scene.surfaces.iter().map(|s| Arc::clone(&s.shape)).collect());
         let (bodies, screens) = bodies(&obstacles, &cloud);
+        let shells = match shadows {
+            Shadows::Off => Shells::default(),
+            _ => Shells::of(&obstacles, &boxes, &tree, |own| rays.other_side(own)),
+        };
         let places = places(&obstacles);
-        Self { obstacles, boxes, tree, rays, standing, standing_tree, bodies, screens, places, shadows, eps }
+        Self {
+            obstacles,
+            boxes,
+            tree,
+            rays,
+            standing,
+            standing_tree,
+            bodies,
+            screens,
+            shells,
+            places,
+            shadows,
+            eps,
+        }
     }
 
     /// Candidate blockers between the hulls of the points `a` and `b`, ascending: without the two `surfaces`,
@@ -179,6 +201,16 @@ impl Visibility {
     /// Whether a surface lies on the boundary of a convex solid that points belong to.
     pub fn contains(&self, surface: usize, points: &[DVec3]) -> bool {
         self.obstacles[surface].contains(points)
+    }
+
+    /// Whether a whole ball hides two places from each other.
+    pub fn are_parted(&self, a: &Place, b: &Place) -> bool {
+        self.shells.part(a, b, &self.obstacles)
+    }
+
+    /// Whether a whole ball hides a surface from both of two places.
+    pub fn is_shut_away(&self, surface: usize, from: [&Place; 2]) -> bool {
+        self.shells.hide(surface, from, &self.obstacles)
     }
 
     /// `surfaces` sorted by their coordinates, so that the order does not depend on the scene's list.

@@ -12,12 +12,13 @@ use std::sync::OnceLock;
 
 use radiosity_elements::patch::{Direction, Node, Patch};
 use radiosity_elements::rule::UnitRule;
-use radiosity_geom::{COINCIDENT, DVec3, Plane, Rect, clip_polygon};
+use radiosity_geom::{COINCIDENT, DVec3, Plane, Rect, clip_polygon, sides};
 use radiosity_scene::Radiance;
 use radiosity_visibility::shadow_volume::Quad;
 use smallvec::{SmallVec, smallvec};
 
-use crate::tolerances::{COSINE_OF_FLAT, LONG_CELL};
+use crate::cells::moments::{Grid, Moments};
+use crate::tolerances::{COSINE_OF_FLAT, LONG_CELL, LONG_STRIP};
 
 /// Number of Gauss points, index 2 a + b for the a-th along s and the b-th along t.
 pub(crate) const POINTS: usize = 4;
@@ -25,6 +26,10 @@ pub(crate) const POINTS: usize = 4;
 /// Levels below the root down to which quarters are kept: at most 4⁵ = 1024 for each patch. Deeper ones serve
 /// few points, and more would fill the memory.
 const KEPT: u8 = 5;
+
+/// Distance from the border of a cell, over that of the point that sees it, at which the radiance nearest to that is
+/// asked: a border may lie where it jumps, at the horizon. Chosen: 0.6° is more than rounding turns it.
+const INSIDE: f64 = 0.01;
 
 /// Error of the rule over the second difference, at least, where the field bends at once: of |s| over
 /// −1 ≤ s ≤ 1 the two-point rule makes 0.577 for ½, with the second difference 0.577.
@@ -70,6 +75,8 @@ pub(crate) struct Cell {
     pub(crate) is_straight: bool,
     /// Sagitta over radius: about how far a curved cell lies off the quadrilateral of its corners.
     pub(crate) warp: f64,
+    /// By how much its points miss its area and place.
+    pub(crate) moments: Moments,
 }
 
 /// A quadrilateral with its size.
@@ -103,21 +110,24 @@ impl Cell {
         };
         let nodes: [Node; POINTS] = std::array::from_fn(node);
         let lanes = [0, 1, 2].map(|axis| nodes.map(|node| node.position[axis]));
-        let mut samples = Vec::new();
+        let (mut samples, mut moments, mut warp) = (Vec::new(), Moments::EXACT, 0.0);
+        let mut corners = None;
         if !patch.is_flat() {
+            let grid = Grid::of(&patch);
             let tangent = |node: &Node| Plane { point: node.position, normal: node.normal };
-            samples.extend(nodes.iter().map(tangent));
-            let corners = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [1.0, 1.0]].map(|[s, t]| patch.node(s, t));
-            samples.extend(corners.iter().map(tangent));
+            samples.extend(nodes.iter().chain(&grid.corners()).map(tangent));
+            moments = Moments::of(&nodes, &grid, center);
+            let found = corners.insert(grid.corners().map(|node| node.position));
+            warp = if radius > 0.0 { patch.sagitta_of(found, grid.middle()) / radius } else { 0.0 };
         }
+        let corners = corners.unwrap_or_else(|| patch.corners());
         let pairs = samples
             .iter()
             .enumerate()
             .flat_map(|(k, a)| samples[..k].iter().map(move |b| a.normal.dot(b.normal)));
         let bend = pairs.fold(1.0, f64::min);
-        let is_straight = patch.is_flat() || (bend > COSINE_OF_FLAT && hull[..] == patch.corners());
-        let quad = is_straight.then(|| MeasuredQuad::of(Quad::new(patch.corners())));
-        let warp = if radius > 0.0 { patch.sagitta() / radius } else { 0.0 };
+        let is_straight = patch.is_flat() || (bend > COSINE_OF_FLAT && hull[..] == corners);
+        let quad = is_straight.then(|| MeasuredQuad::of(Quad::new(corners)));
         Self {
             patch,
             level,
@@ -138,6 +148,7 @@ impl Cell {
             bend,
             is_straight,
             warp,
+            moments,
         }
     }
 
@@ -175,18 +186,42 @@ impl Cell {
         let mut cell = bare.with_values(values, &[scale]);
         let mean = cell.mean(0);
         // Second differences: the rule errs by about their square where the field is smooth.
-        let bend = (towards(self.center) - mean).abs();
+        let middle = towards(self.center);
+        let bend = (middle - mean).abs();
         let least = if radiance.bends() { BENT } else { 0.0 };
         cell.detail = bend * (bend / mean.max(f64::MIN_POSITIVE)).clamp(least, 1.0) / scale;
         let into: SmallVec<[DVec3; 8]> = self.hull.iter().map(|y| point - y).collect();
         let left_out = radiance.left_out(&into) / scale;
         cell.detail += left_out;
-        cell.brightness = cell.brightness.max(left_out);
-        let is_even = cell.values.iter().all(|value| *value == towards(self.center));
+        // Close to glass all four points may be seen at grazing angles, where it lets nothing through.
+        let nearest = self.foot(point).map(towards);
+        cell.spread = nearest.map_or(cell.spread, |nearest| cell.spread.max((nearest - mean).abs() / scale));
+        cell.brightness = cell.brightness.max(left_out).max(nearest.unwrap_or(0.0) / scale);
+        let is_even = cell.values.iter().chain(&nearest).all(|value| *value == middle);
         if is_even && left_out == 0.0 {
             (cell.spread, cell.detail) = (0.0, 0.0);
         }
         cell
+    }
+
+    /// About the place of a flat cell that is nearest to `x`, a little within, where the cell is seen at a wide angle.
+    pub(crate) fn foot(&self, x: DVec3) -> Option<DVec3> {
+        if !self.is_flat() || x.distance_squared(self.center) >= 4.0 * self.radius * self.radius {
+            return None;
+        }
+        let normal = self.nodes[0].normal;
+        let below = x - (x - self.center).dot(normal) * normal;
+        let turn = |[a, b]: [DVec3; 2]| (b - a).cross(below - a).dot(normal);
+        let turns = || sides(&self.hull).map(turn);
+        let on_side = |[a, b]: [DVec3; 2]| {
+            let along = b - a;
+            a + along * ((below - a).dot(along) / along.length_squared()).clamp(0.0, 1.0)
+        };
+        let nearer = |a: &DVec3, b: &DVec3| a.distance_squared(x).total_cmp(&b.distance_squared(x));
+        let is_inside = turns().all(|turn| turn >= 0.0) || turns().all(|turn| turn <= 0.0);
+        let foot = if is_inside { below } else { sides(&self.hull).map(on_side).min_by(nearer)? };
+        let inwards = (self.center - foot).normalize_or_zero();
+        Some(foot + INSIDE * foot.distance(x).min(self.radius) * inwards)
     }
 
     /// The cells that cover the part of a flat cell, of even exitance 1 in one channel of the scale `scale`, on
@@ -313,14 +348,15 @@ impl Cell {
         }
     }
 
-    /// The directions of the two halvings. A long curved cell, as at a pole, is halved twice along its
-    /// length.
+    /// The directions of the two halvings. A long cell, as a curved one at a pole or a strip between two horizons, is
+    /// halved twice along its length.
     pub(super) fn directions(&self) -> [Direction; 2] {
         let apart = |i: usize, j: usize| self.nodes[i].position.distance(self.nodes[j].position);
         let (along, across) = (apart(0, 2).max(apart(1, 3)), apart(0, 1).max(apart(2, 3)));
-        match self.is_flat() {
-            false if along > LONG_CELL * across => [Direction::Along; 2],
-            false if across > LONG_CELL * along => [Direction::Across; 2],
+        let long = if self.is_flat() { LONG_STRIP } else { LONG_CELL };
+        match (along > long * across, across > long * along) {
+            (true, _) => [Direction::Along; 2],
+            (_, true) => [Direction::Across; 2],
             _ => [Direction::Along, Direction::Across],
         }
     }

@@ -20,7 +20,7 @@
 //! The light of the sun and of luminaires has steps: the border of a sun's patch, the edge of a spot, shadows.
 //! A step that enters a cell from beside it crosses the border of the cell. So a cell beside a step, whose points and
 //! quarters see none, is asked along its border too; where beams may light a small part of a patch, so are all
-//! cells of [`OF_BEAMS`] levels. A cell that is not divided further beside a step takes its mean from more points:
+//! cells of some levels, until they are narrower than the beams. A cell that is not divided further beside a step takes its mean from more points:
 //! where a step runs along the sides of cells, four points would err in one direction in a whole row of them.
 
 use radiosity_elements::Element;
@@ -60,10 +60,6 @@ const ASKED: u64 = 8;
 /// the light of a small patch erred by up to 1.3 %.
 const SETTLED: u64 = 32;
 
-/// Levels that are all made where beams may light a part of a patch alone: down to an eighth, so that points lie
-/// closer than the spot of 10° is wide that shines 3 m down on a patch 3 m wide. Chosen.
-const OF_BEAMS: usize = 3;
-
 /// Points along each side of a cell at which a step is looked for. Chosen: the part of a lit disk that enters a cell
 /// unseen, between two of these points, is below 0.3 % of it if the disk is as wide as the cell.
 const ALONG_A_SIDE: usize = 4;
@@ -101,8 +97,8 @@ pub(crate) enum Steps {
     Nowhere,
     /// Edges of shadows: the light of points.
     Shadows,
-    /// Borders of what the sun or a narrow beam lights, too.
-    Beams,
+    /// Borders of what the sun or a narrow beam lights, too; so many levels of cells are all made for them.
+    Beams(usize),
 }
 
 /// A field over an element: writes the value of each channel at a node of a patch.
@@ -122,14 +118,14 @@ impl Tree {
         Self { radiance, ..self }
     }
 
-    /// The zenith of the sky behind it, if it is an opening.
-    pub(crate) fn zenith(&self) -> Option<DVec3> {
-        self.radiance.as_ref()?.zenith()
-    }
-
     /// The radiance of an opening to a sky; None of other emitters.
     pub(crate) fn opening(&self) -> Option<&Radiance> {
-        self.radiance.as_ref().filter(|own| own.zenith().is_some())
+        self.radiance.as_ref().filter(|own| own.is_of_opening())
+    }
+
+    /// The zenith of the sky behind it, if it is an opening.
+    pub(crate) fn zenith(&self) -> Option<DVec3> {
+        self.opening()?.zenith()
     }
 
     /// Whether it is an opening in which one of `points`, or a point between them, may see the horizon.
@@ -152,10 +148,12 @@ impl Tree {
     /// to about the accuracy `eps` relative to the scale, and its `steps`.
     pub(crate) fn new(element: &Element, scale: &[f64], steps: Steps, eps: f64, field: Field<'_>) -> Self {
         // ⌈N/4⌉ quarterings: the 2 × 2 points per cell then see every polynomial of the element.
-        let beams = if steps == Steps::Beams { OF_BEAMS } else { 0 };
-        let least = element.basis.total_degree().div_ceil(4).max(beams);
+        let of_beams = if let Steps::Beams(levels) = steps { levels } else { 0 };
+        let least = element.basis.total_degree().div_ceil(4).max(of_beams);
+        let has_steps = steps != Steps::Nowhere;
         Self::grown(element, scale, |bare, scale| {
-            let growth = Growth { field, scale, least, steps, rough: FINE * eps, bent: BENT * eps };
+            let (rough, bent) = (FINE * eps, BENT * eps);
+            let growth = Growth { field, scale, least, of_beams, has_steps, rough, bent };
             growth.of(bare)
         })
     }
@@ -188,7 +186,10 @@ struct Growth<'a> {
     scale: &'a [f64],
     /// Levels that are divided in any case.
     least: usize,
-    steps: Steps,
+    /// Levels that are asked along their borders in any case.
+    of_beams: usize,
+    /// Whether the field has steps anywhere.
+    has_steps: bool,
     /// Variation over the scale above which a cell is divided.
     rough: f64,
     /// Limit BENT ε.
@@ -203,41 +204,43 @@ impl Growth<'_> {
 
     /// The cell with the quarters that it needs below a cell of which is known how it follows the field.
     fn divided(&self, mut cell: Cell, border: Border, level: usize, above: Above) -> Cell {
-        let varies = level < EVEN && cell.spread > self.rough;
-        if level == MOST_QUARTERINGS_OF_FIELD || !(level < self.least || varies || above.bends) {
+        if self.suffices(&cell, level, above) {
             if above.has_step {
                 self.settle(&mut cell);
             }
             return cell;
         }
-        let width = 0.5f64.powi(level as i32 + 1);
         let quarters = cell.bare_quarters().map(|quarter| with_field(quarter, self.scale, self.field));
-        let mut misfit = cell.misfit(&quarters, self.scale);
-        let seen = |border: &Border| match border.touched() {
-            0 => BENT / BEYOND * width * width,
-            1 => width,
-            _ => 1.0,
-        };
-        let is_asked = above.has_step || (self.steps == Steps::Beams && level < OF_BEAMS);
-        if is_asked && misfit <= self.bent {
-            let at_border = self.misfit_at_border(&cell);
-            misfit = misfit.max(if at_border > JUMP * cell.spread { at_border } else { 0.0 });
-        }
-        let jumps = misfit > JUMP * cell.spread;
-        let has_step = self.steps != Steps::Nowhere && (jumps || misfit > self.bent);
-        let borders = border.of_quarters(cell.directions());
-        let mut index = 0;
+        let misfit = self.misfit(&cell, &quarters, level, above);
+        let mut borders = border.of_quarters(cell.directions()).into_iter();
         let quarters = quarters.map(|mut quarter| {
-            let border = borders[index];
-            index += 1;
-            if jumps {
+            let border = borders.next().expect("there are four");
+            if misfit.jumps {
                 quarter.mark_rough();
             }
-            let above = Above { bends: misfit * seen(&border) > self.bent, has_step };
-            self.divided(quarter, border, level + 1, above)
+            let bends = misfit.size * seen(&border, level + 1) > self.bent;
+            self.divided(quarter, border, level + 1, Above { bends, has_step: misfit.is_step })
         });
         cell.divide(quarters, self.scale);
         cell
+    }
+
+    /// Whether a cell needs no quarters.
+    fn suffices(&self, cell: &Cell, level: usize, above: Above) -> bool {
+        let varies = level < EVEN && cell.spread > self.rough;
+        level == MOST_QUARTERINGS_OF_FIELD || !(level < self.least || varies || above.bends)
+    }
+
+    /// How a cell misses its quarters, or the field along its border if a step may be there.
+    fn misfit(&self, cell: &Cell, quarters: &[Cell; 4], level: usize, above: Above) -> Misfit {
+        let mut size = cell.misfit(quarters, self.scale);
+        let is_asked = above.has_step || level < self.of_beams;
+        if is_asked && size <= self.bent {
+            let at_border = self.misfit_at_border(cell);
+            size = size.max(if at_border > JUMP * cell.spread { at_border } else { 0.0 });
+        }
+        let jumps = size > JUMP * cell.spread;
+        Misfit { size, jumps, is_step: self.has_steps && (jumps || size > self.bent) }
     }
 
     /// Gives a cell beside a step its mean by more points.
@@ -297,6 +300,17 @@ impl Residuals {
     }
 }
 
+/// How a cell misses the field.
+#[derive(Clone, Copy)]
+struct Misfit {
+    /// Largest difference, over the channel's scale.
+    size: f64,
+    /// Whether the field jumps.
+    jumps: bool,
+    /// Whether a step may be in the cell.
+    is_step: bool,
+}
+
 /// How the cell above one follows the field.
 #[derive(Clone, Copy)]
 struct Above {
@@ -304,6 +318,16 @@ struct Above {
     bends: bool,
     /// Whether a step may be in it.
     has_step: bool,
+}
+
+/// Part of a view that a cell of this level may fill, where corners count [`BENT`] and others [`BEYOND`].
+fn seen(border: &Border, level: usize) -> f64 {
+    let width = 0.5f64.powi(level as i32);
+    match border.touched() {
+        0 => BENT / BEYOND * width * width,
+        1 => width,
+        _ => 1.0,
+    }
 }
 
 fn with_field(bare: Cell, scale: &[f64], field: Field<'_>) -> Cell {

@@ -218,7 +218,7 @@ impl Traversal<'_> {
             return Estimate { weights, error: f64::INFINITY };
         }
         let near = if width > NEAR { NEAR_OWN * stake } else { CURVED * whole * gauss_error(cell, width) };
-        let form = near + self.border(cell);
+        let form = near + self.border(cell) + self.misplaced(seen);
         if before.is_empty() {
             return Estimate { weights, error: form };
         }
@@ -257,6 +257,17 @@ impl Traversal<'_> {
         }
         let nearest = self.distance(cell) - cell.radius;
         cell.brightness * cell.area() / (PI * nearest * nearest)
+    }
+
+    /// Error of a curved cell whose points miss its area or its place; a near one has that of its near rule.
+    fn misplaced(&self, seen: &SeenCell) -> f64 {
+        let SeenCell { cell, weights, width, .. } = *seen;
+        if width > NEAR {
+            return 0.0;
+        }
+        let of_field =
+            weights.iter().sum::<f64>() * cell.spread * cell.moments.offset(cell.area(), cell.radius);
+        cell.brightness * cell.moments.error_at(self.distance(cell)) + of_field
     }
 
     /// Error of a curved cell that is seen in part, at its silhouette or the horizon.

@@ -53,6 +53,9 @@ const FIRST: u64 = 1 << 12;
 const MOST: u64 = 1 << 14;
 const FEWEST: u64 = 2;
 
+/// Rounds in which so many walks are made. Chosen: a deadline passes by a tenth of their time at the most.
+const ROUNDS: u64 = 10;
+
 /// Part of the estimate that the noise of walks may be: an error is then known to a factor of √1.5. With a
 /// smaller value walks take longer than a run.
 const NOISE: f64 = 0.5;
@@ -156,12 +159,16 @@ pub(super) fn error_estimate(
         .map_by(PartName::SensorLight, &makers, |place| missed_light.ends.gather.at(&sensors[place].point));
     let mut found = SensorWalks::begun(sensors, gathered, unknowns);
     let per_half = |walks: u64| walks.div_ceil(2 * sensors.len().max(1) as u64);
-    let (mut made, mut now) = (0, per_half(FIRST).max(FEWEST));
+    let (mut made, mut wanted) = (0, per_half(FIRST).max(FEWEST));
     loop {
+        // A few at a time: what is late is found after each.
+        let now = (wanted - made).min(wanted.div_ceil(ROUNDS)).max(FEWEST.min(wanted - made));
         let (done, is_late) = (AtomicUsize::new(0), AtomicBool::new(false));
         let light = ranks.map_by(PartName::SensorWalks, &makers, |place| {
             let light = missed_light.walked(&found[place], made..made + now);
-            work.report_done(Stage::Estimate, done.fetch_add(1, Ordering::Relaxed) + 1, sensors.len());
+            let new = (done.fetch_add(1, Ordering::Relaxed) + 1) * now as usize;
+            let (walks, all) = (made as usize * sensors.len() + new, wanted as usize * sensors.len());
+            work.report_done(Stage::Estimate, walks, all);
             if work.is_late_here() {
                 is_late.store(true, Ordering::Relaxed);
             }
@@ -170,11 +177,14 @@ pub(super) fn error_estimate(
         found.iter_mut().zip(light).for_each(|(found, light)| found.light = light);
         let finishes = !ranks.any(is_late.into_inner());
         made += now;
+        if finishes && made < wanted {
+            continue;
+        }
         let sums = SensorSums::of(&found, made, solution);
         if !finishes || !sums.is_noisy() || 2 * made > per_half(MOST) {
             return ErrorEstimate { error: sums.error(), shares: sums.shares(&found, made) };
         }
-        now = made;
+        wanted = 2 * made;
     }
 }
 
