@@ -11,11 +11,12 @@
 //! is curved, the cells of [`crate`] are refined until D is as accurate as was asked for. A curved emitter that
 //! hides nothing of itself and stands free is taken as a whole (`area_light`).
 
+use std::sync::OnceLock;
+
 use radiosity_elements::Element;
 use radiosity_elements::patch::Node;
 use radiosity_geom::{Aabb, DVec3, Rect};
 use radiosity_visibility::Visibility;
-use rayon::prelude::*;
 use smallvec::{SmallVec, smallvec};
 
 use crate::area_light::AreaLight;
@@ -45,8 +46,8 @@ pub struct DirectLight<'a> {
     trees: Vec<Tree>,
     /// For each emitter, its area light if it can be taken as a whole.
     lamps: Vec<Option<AreaLight<'a>>>,
-    /// Occluders per receiving element.
-    occluders: Vec<Occluders>,
+    /// Occluders per receiving element, of which light was asked for.
+    occluders: Vec<OnceLock<Occluders>>,
     bands: usize,
     eps: f64,
 }
@@ -83,10 +84,13 @@ impl<'a> DirectLight<'a> {
             AreaLight::new(visibility, element.surface)
         };
         let lamps = emitters.iter().map(lamp).collect();
-        let occluders = Vec::new();
-        let mut light = Self { elements, points, visibility, emitters, trees, lamps, occluders, bands, eps };
-        light.occluders = elements.par_iter().map(|element| light.around(&Site::of(element))).collect();
-        light
+        let occluders = elements.iter().map(|_| OnceLock::new()).collect();
+        Self { elements, points, visibility, emitters, trees, lamps, occluders, bands, eps }
+    }
+
+    /// Possible occluders between the emitters and an element.
+    fn around_element(&self, element: usize) -> &Occluders {
+        self.occluders[element].get_or_init(|| self.around(&Site::of(&self.elements[element])))
     }
 
     /// Indices of the emitting elements.
@@ -98,7 +102,7 @@ impl<'a> DirectLight<'a> {
     /// with the unit normal `n`.
     pub fn factors(&self, element: usize, x: DVec3, n: DVec3) -> Vec<(usize, f64)> {
         let receiver = ReceiverPoint::on(self.elements[element].surface, x, n);
-        let factors = self.from(&receiver, &self.occluders[element], 0.0);
+        let factors = self.from(&receiver, self.around_element(element), 0.0);
         self.emitters().zip(factors).collect()
     }
 
@@ -111,13 +115,13 @@ impl<'a> DirectLight<'a> {
     /// both.
     pub fn at_beside(&self, element: usize, x: DVec3, n: DVec3, other: &[f64]) -> Vec<f64> {
         let receiver = ReceiverPoint::on(self.elements[element].surface, x, n);
-        self.irradiance_beside(&receiver, &self.occluders[element], other)
+        self.irradiance_beside(&receiver, self.around_element(element), other)
     }
 
     /// Irradiance (W m⁻²) per band at a node of element `element`, from elements alone.
     pub(crate) fn of_elements_at(&self, element: usize, node: &Node) -> Vec<f64> {
         let receiver = ReceiverPoint::on(self.elements[element].surface, node.position, node.normal);
-        self.add_elements(&receiver, &self.occluders[element], vec![0.0; self.bands], 0.0)
+        self.add_elements(&receiver, self.around_element(element), vec![0.0; self.bands], 0.0)
     }
 
     /// Possible occluders between the emitters and a site.

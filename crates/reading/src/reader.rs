@@ -70,7 +70,14 @@ impl<'a> Reader<'a> {
             ReadMode::Gather | ReadMode::GatherTwice => {
                 let by_cells = eps.min(COARSEST_BY_CELLS);
                 let rougher = eps / by_cells;
-                RecomputedLight::Gathered(by.gathering(solution, visibility, by_cells, rougher, SOME_POINTS, twice))
+                RecomputedLight::Gathered(by.gathering(
+                    solution,
+                    visibility,
+                    by_cells,
+                    rougher,
+                    SOME_POINTS,
+                    twice,
+                ))
             }
         };
         Self { solution, visibility, light }

@@ -47,28 +47,57 @@ pub(super) struct CellPrice {
 impl CellPrice {
     /// The price of the light of `solution`, gathered `twice` or once to the relative accuracy `eps`.
     pub(super) fn of(solution: &Solution, visibility: &Visibility, eps: f64, twice: bool) -> Self {
-        let surfaces = 0..solution.elements().surfaces();
-        let (mut standing, mut curved) = (0.0, 0.0);
-        for surface in surfaces.filter(|surface| visibility.stands(*surface)) {
-            standing += 1.0;
-            curved += if visibility.pieces(surface).is_none() { 1.0 } else { 0.0 };
-        }
-        let curved = f64::min(curved, MOST_CURVED);
+        let about = Things::about(solution, visibility);
         let list = solution.elements().list();
-        let shines = |index: &usize| solution.bands().iter().any(|band| band.coating.exitance[*index] > 0.0);
-        let of_lamp = |index: usize| match list[index].plane {
-            Some(_) => FLAT_LAMP + FLAT_LAMP_BEHIND * curved,
-            None => CURVED_LAMP * (1.0 + curved),
-        };
-        let direct: f64 = (0..list.len()).filter(shines).map(of_lamp).sum();
-        let about = FLAT + BEHIND_FLAT * standing + BEHIND_CURVED * curved;
-        let of_element = |element: &Element| match element.plane {
-            Some(_) => about,
-            None => about + CURVED * (1.0 + curved),
-        };
-        let reflected: f64 = list.iter().filter(|element| element.contact.is_none()).map(of_element).sum();
+        let direct = about.seconds_of_direct(solution);
+        let reflected: f64 =
+            list.iter().filter(|element| element.contact.is_none()).map(|own| about.seconds_of(own)).sum();
         let nodes = NODES * list.len() as f64 * (AT / eps).powf(POWER);
         let of_node = if twice { direct + reflected } else { direct };
         Self { once: nodes * of_node, point: direct + reflected }
+    }
+
+    /// Seconds of the direct light of a point.
+    pub(super) fn of_direct(solution: &Solution, visibility: &Visibility) -> f64 {
+        Things::about(solution, visibility).seconds_of_direct(solution)
+    }
+}
+
+/// Numbers of surfaces that stand about.
+struct Things {
+    all: f64,
+    /// Curved ones, [`MOST_CURVED`] at the most.
+    curved: f64,
+}
+
+impl Things {
+    fn about(solution: &Solution, visibility: &Visibility) -> Self {
+        let surfaces = 0..solution.elements().surfaces();
+        let (mut all, mut curved) = (0.0, 0.0);
+        for surface in surfaces.filter(|surface| visibility.stands(*surface)) {
+            all += 1.0;
+            curved += if visibility.pieces(surface).is_none() { 1.0 } else { 0.0 };
+        }
+        Self { all, curved: f64::min(curved, MOST_CURVED) }
+    }
+
+    /// Seconds of the direct light of a point.
+    fn seconds_of_direct(&self, solution: &Solution) -> f64 {
+        let list = solution.elements().list();
+        let shines = |index: &usize| solution.bands().iter().any(|band| band.coating.exitance[*index] > 0.0);
+        let of_lamp = |index: usize| match list[index].plane {
+            Some(_) => FLAT_LAMP + FLAT_LAMP_BEHIND * self.curved,
+            None => CURVED_LAMP * (1.0 + self.curved),
+        };
+        (0..list.len()).filter(shines).map(of_lamp).sum()
+    }
+
+    /// Seconds of what an element reflects to a point.
+    fn seconds_of(&self, element: &Element) -> f64 {
+        let about = FLAT + BEHIND_FLAT * self.all + BEHIND_CURVED * self.curved;
+        match element.plane {
+            Some(_) => about,
+            None => about + CURVED * (1.0 + self.curved),
+        }
     }
 }

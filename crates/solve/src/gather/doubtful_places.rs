@@ -96,9 +96,8 @@ impl<'a> DoubtfulPlaces<'a> {
         };
         let (lit_part, reflected_part) = (beside(lit), beside(reflected));
         let all = lit_part + reflected_part;
-        let is_doubtful = self.visibility.has_obstacles()
-            && all < SHADOWED
-            && reflected_part > REFLECTED * all;
+        let is_doubtful =
+            self.visibility.has_obstacles() && all < SHADOWED && reflected_part > REFLECTED * all;
         is_doubtful.then(|| known_beside(self.shadows.reflected_alone(origin, lit).with(lit)))
     }
 

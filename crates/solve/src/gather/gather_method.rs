@@ -8,6 +8,7 @@
 //! elsewhere by who knows what else a solution would take to be as accurate. What cells find in shadow is read anew by
 //! rays (`super::doubtful_places`).
 
+use radiosity_light::direct::DirectLight;
 use radiosity_light::receiver_point::ReceiverPoint;
 use radiosity_visibility::Visibility;
 use serde::{Deserialize, Serialize};
@@ -28,6 +29,10 @@ const WALK: f64 = 4e-6;
 /// Points that share the tables of cells where it is not known how many are read. Chosen: in rooms a dozen to a hundred
 /// take less than twice the time of the better choice.
 pub const SOME_POINTS: f64 = 25.0;
+
+/// Seconds of the usual rays over those of direct light by cells, at least, where cells find it: what they spare is
+/// about half of the rays, and few flat lamps take longer than forecast. Chosen.
+const CHEAPER: f64 = 10.0;
 
 /// Rays among luminaires over those without: where one shines on a surface beside it, few rays meet the peak.
 /// Chosen.
@@ -121,7 +126,14 @@ impl GatherMethod {
         points: f64,
         twice: bool,
     ) -> Gathering<'a> {
-        let by_rays = |beyond| GatheredBy::Rays(RayGather::new(solution, visibility, rougher * eps, beyond));
+        let by_rays = |beyond| {
+            let rays = RayGather::new(solution, visibility, rougher * eps, beyond);
+            let cells = CHEAPER * CellPrice::of_direct(solution, visibility);
+            if std::env::var_os("ND").is_some() || cells > RAY * usual_rays(rougher * eps) {
+                return GatheredBy::Rays(rays);
+            }
+            GatheredBy::Rays(rays.beside(DirectLight::within(&solution.emitters(), visibility, eps)))
+        };
         let by = match twice {
             _ if self == Self::Walks => by_rays(Beyond::Walked),
             _ if self.rays(solution, visibility, eps, rougher * eps, points, twice) => {

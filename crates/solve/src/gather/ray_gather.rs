@@ -40,6 +40,7 @@ use radiosity_elements::sampling::kronecker;
 use radiosity_elements::sampling::lambert::lambert;
 use radiosity_elements::sampling::shift::{number_of, shift, shifted};
 use radiosity_geom::DVec3;
+use radiosity_light::direct::DirectLight;
 use radiosity_light::lamps::{Shares, Target};
 use radiosity_light::receiver_point::ReceiverPoint;
 use radiosity_light::tolerances::DARK;
@@ -105,6 +106,8 @@ pub struct RayGather<'a> {
     /// Light that surfaces reflect.
     solution: &'a Solution,
     rays: SentRays<'a>,
+    /// Direct light of points by cells; None where rays find it.
+    direct: Option<DirectLight<'a>>,
     /// Mean radiosity per band (W m⁻²).
     scale: Vec<f64>,
     eps: f64,
@@ -165,7 +168,7 @@ impl<'a> RayGather<'a> {
             _ => scale.iter().map(|scale| DARK * scale).collect(),
         };
         let rays = SentRays::among(solution.elements(), &solution.emitters(), visibility, &scale);
-        Self { solution: solution.sent(), rays, scale, eps, dark, beyond }
+        Self { solution: solution.sent(), rays, direct: None, scale, eps, dark, beyond }
     }
 
     /// As made, but errors are to be small relative to the irradiance `dark` (W m⁻² per band) where less arrives.
@@ -173,8 +176,17 @@ impl<'a> RayGather<'a> {
         Self { dark, ..self }
     }
 
+    /// As made, but the direct light of points is taken from `direct`.
+    pub(super) fn beside(self, direct: DirectLight<'a>) -> Self {
+        Self { direct: Some(direct), ..self }
+    }
+
     /// All light of a receiver. It depends on nothing but the receiver.
     pub fn read(&self, origin: &Receiver) -> ReadIrradiance {
+        if let (Receiver::Point(receiver), Some(direct)) = (origin, &self.direct) {
+            let lit = direct.irradiance(receiver, &direct.around(&receiver.site()));
+            return self.reflected_alone(origin, &lit).with(&lit);
+        }
         let shares = self.rays.lamps.seen_from(&origin.middle());
         self.gathered(self.beyond, origin, Some(&shares), FIRST, &vec![0.0; self.scale.len()])
     }
