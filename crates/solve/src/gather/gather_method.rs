@@ -75,18 +75,14 @@ impl<'a> Gathering<'a> {
     /// All light of a point.
     pub fn read(&self, receiver: &ReceiverPoint) -> ReadIrradiance {
         let origin = Receiver::Point(*receiver);
-        self.in_gap(&origin).unwrap_or_else(|| match &self.by {
+        let in_gap = self.doubtful.as_ref().and_then(|places| places.in_gap(receiver));
+        in_gap.unwrap_or_else(|| match &self.by {
             GatheredBy::Cells(gather) => {
                 let [lit, reflected] = gather.parts(receiver);
                 self.settled(&origin, &lit, &reflected)
             }
             GatheredBy::Rays(gather) => gather.read(&origin),
         })
-    }
-
-    /// All light of a receiver in a narrow gap; None elsewhere.
-    pub fn in_gap(&self, origin: &Receiver) -> Option<ReadIrradiance> {
-        self.doubtful.as_ref().and_then(|places| places.in_gap(origin))
     }
 
     /// All light of a receiver of which cells found the parts `lit` by emitters and `reflected` (W m⁻² per band): these,

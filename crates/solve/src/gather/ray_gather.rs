@@ -187,6 +187,11 @@ impl<'a> RayGather<'a> {
         Self { dark, ..self }
     }
 
+    /// Rays among the surfaces.
+    pub(super) fn rays(&self) -> &SentRays<'a> {
+        &self.rays
+    }
+
     /// All light of a receiver. It depends on nothing but the receiver.
     pub fn read(&self, origin: &Receiver) -> ReadIrradiance {
         let shares = self.rays.lamps.seen_from(&origin.middle());

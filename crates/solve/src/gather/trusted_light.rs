@@ -24,6 +24,10 @@ const NEAR: f64 = 2.0;
 
 /// Whether the polynomials of the front `there` of an element are trusted with the light that a ray met.
 pub(super) fn is_trusted(rays: &SentRays, met: &Met, there: &ReceiverPoint) -> bool {
-    let own = &rays.solution.elements().list()[met.element];
-    met.distance * met.distance > FAR * own.area && !rays.lamps.is_near(there, NEAR)
+    !is_seen_large(rays, met) && !rays.lamps.is_near(there, NEAR)
+}
+
+/// Whether the element that a ray met is large as seen from where the ray began.
+pub(super) fn is_seen_large(rays: &SentRays, met: &Met) -> bool {
+    met.distance * met.distance <= FAR * rays.solution.elements().list()[met.element].area
 }
