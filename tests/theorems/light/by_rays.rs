@@ -228,26 +228,32 @@ fn room_with_a_bench() -> Scene {
 }
 
 #[test]
-fn what_is_read_in_shadow_at_the_defaults_is_what_a_referee_finds() {
+fn what_is_read_in_shadow_is_right_where_polynomials_are_not() {
     let scene = room_with_a_bench();
-    let (outcome, visibility) = solved(&scene);
-    let reader = Reader::new(&outcome.solution, &visibility, ReadMode::Gather, 1.25e-3);
-    let under = |x: f64, y: f64| (DVec3::new(x, y, 0.0) - scene.middle, DVec3::Z);
-    let places = [under(0.8, 0.1), under(1.2, 0.3), under(1.8, 0.15), under(2.4, 0.3), under(2.9, 0.1)];
-    let spots = places.map(|(position, normal)| Spot::Point { position, normal });
-    let right = Referee::of_light(&scene).estimates(&spots, &Effort::of_walks(262144.0), &Work::alone());
-    let wall = Spot::Point { position: DVec3::new(2.0, 2.9, 1.2) - scene.middle, normal: -DVec3::Y };
-    let usual = Referee::of_light(&scene).estimates(&[wall], &Effort::of_walks(16384.0), &Work::alone());
-    let mut worst: f64 = 0.0;
-    for ((position, normal), right) in places.into_iter().zip(right) {
-        let on = Standpoint::find(outcome.solution.elements(), &visibility, position, normal);
-        let found = reader.gathered(&on.receiver_point(normal)).expect("it gathers").irradiance[0];
-        let (value, error) = (right.bands[0].value, right.bands[0].error);
-        let allowed = 0.05 * value + 0.005 * usual[0].bands[0].value + 3.0 * error;
-        println!("{position} {found} {value} {error} {}", (found - value).abs() / allowed);
-        worst = worst.max((found - value).abs() / allowed);
-    }
-    assert!(worst < 1.0, "{worst} of what is allowed");
+    // With the first order light under the bench is up to 22 % too bright, as cells alone find it.
+    let options = Options { order: 1, ..Options::default() };
+    let solution = outcome_of(&scene, &options).solution;
+    let visibility = options.visibility(&scene);
+    let reader = Reader::new(&solution, &visibility, ReadMode::Gather, 1.25e-3);
+    let cells = Gather::new(&solution, &visibility, 1.25e-3);
+    let at = |x: f64, y: f64| DVec3::new(x, y, 0.0) - scene.middle;
+    let places = [at(0.8, 0.1), at(1.2, 0.3), at(1.8, 0.15), at(2.4, 0.3), at(2.9, 0.1), at(2.0, 1.5)];
+    let spots = places.map(|position| Spot::Point { position, normal: DVec3::Z });
+    let right = Referee::of_light(&scene).estimates(&spots, &Effort::of_walks(131072.0), &Work::alone());
+    let usual = right[5].bands[0].value;
+    let worst = |read: &dyn Fn(&ReceiverPoint) -> f64| {
+        let missed = places[..5].iter().zip(&right).map(|(position, right)| {
+            let on = Standpoint::find(solution.elements(), &visibility, *position, DVec3::Z);
+            let (value, error) = (right.bands[0].value, right.bands[0].error);
+            let allowed = 0.05 * value + 0.005 * usual + 3.0 * error;
+            (read(&on.receiver_point(DVec3::Z)) - value).abs() / allowed
+        });
+        missed.fold(0.0, f64::max)
+    };
+    let anew = worst(&|receiver| reader.gathered(receiver).expect("it gathers").irradiance[0]);
+    let by_cells = worst(&|receiver| cells.at(receiver)[0]);
+    assert!(anew < 1.0, "{anew} of what is allowed");
+    assert!(by_cells > 1.5, "polynomials are far off: {by_cells}");
 }
 
 #[test]

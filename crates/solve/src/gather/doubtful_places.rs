@@ -59,13 +59,13 @@ const NOTHING: f64 = 0.01;
 /// Rays that find what a point sees near it. Chosen: they take a twentieth of the time of the point.
 const LOOKS: u64 = 32;
 
-/// Finest accuracy that is asked of walks in gaps, relative to the light of the whole scene where less arrives. Chosen: a
-/// point takes a second at the most. What is left of error is told with each.
-pub(super) const BY_WALKS: f64 = 5e-3;
+/// Finest accuracy that is asked of walks in gaps, relative to the light of the whole scene where less arrives.
+/// Chosen: a point takes a second at the most. What is left of error is told with each.
+const BY_WALKS: f64 = 5e-3;
 
-/// Finest accuracy that is asked in shadow, relative to the least light that is none: .3 % of the usual light. Chosen: a
-/// point takes some milliseconds, and what is read anew was off by more.
-const IN_SHADOW: f64 = 1e-2;
+/// Finest accuracy that is asked in shadow, relative to the least light that is none: .3 % of the usual light.
+/// Chosen: a point takes some milliseconds, and what is read anew was off by more.
+pub(super) const IN_SHADOW: f64 = 1e-2;
 
 /// The doubtful places of a scene whose surfaces cast shadows.
 #[derive(Debug)]
@@ -110,8 +110,8 @@ impl<'a> DoubtfulPlaces<'a> {
         self.hold(receiver).then(|| self.shadows.reflected_alone(&origin, lit))
     }
 
-    /// The light of a receiver in shadow, or of a patch in a gap, where so much is `lit` by emitters and cells found so much `reflected` light
-    /// (W m⁻² per band); None elsewhere.
+    /// The light of a receiver in shadow, or of a patch in a gap, where so much is `lit` by emitters and cells
+    /// found so much `reflected` light (W m⁻² per band); None elsewhere.
     pub(super) fn in_shadow(
         &self,
         origin: &Receiver,
@@ -138,7 +138,7 @@ impl<'a> DoubtfulPlaces<'a> {
         is_doubtful.then(|| known_beside(self.shadows.reflected_alone(origin, lit).with(lit)))
     }
 
-    /// What the polynomials of large elements about a point may err by in it, over the usual light.
+    /// Error that the polynomials of large elements about a point may make there, over the usual light.
     fn doubt(&self, receiver: &ReceiverPoint) -> f64 {
         let rays = self.walks.rays();
         let [position, normal] = [receiver.position, receiver.normal].map(|vector| vector.to_array());
@@ -176,8 +176,8 @@ impl<'a> DoubtfulPlaces<'a> {
     }
 }
 
-/// Root mean square over each element of what the polynomials of the highest degree reflect of its reflected light, over
-/// the `usual` light: the largest of the bands. All of it on an element that has constants alone.
+/// Root mean square over each element of what the polynomials of the highest degree reflect of its reflected
+/// light, over the `usual` light: the largest of the bands. All of it on an element that has constants alone.
 fn bends(solution: &Solution, usual: &[f64]) -> Vec<f64> {
     let list = solution.elements().list();
     let mut bends = vec![0.0_f64; list.len()];
