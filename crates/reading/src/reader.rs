@@ -11,8 +11,8 @@ use serde::Deserialize;
 
 /// Coarsest accuracy of a draft, and accuracy that light is gathered to by cells where a coarser one is asked
 /// for, as of solutions by rays: rays err by what they are asked for, cells by more in dark places, and fine
-/// cells are no dearer there. Measured beside the shadow of a table: with 1e-2, 2e-3, 1.25e-3 and 3e-4 readings erred by 20, 20, 8 and
-/// .3 %, after .73, .79, .78 and .65 s.
+/// cells are no dearer there. Measured beside the shadow of a table: with 1e-2, 2e-3, 1.25e-3 and 3e-4 readings
+/// erred by 20, 20, 8 and .3 %, after .73, .79, .78 and .65 s.
 const DRAFT: f64 = 2e-3;
 const BY_CELLS: f64 = 3e-4;
 
