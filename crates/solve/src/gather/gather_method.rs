@@ -63,7 +63,7 @@ pub enum GatheredBy<'a> {
 pub struct Gathering<'a> {
     by: GatheredBy<'a>,
     /// None where walks gather all light.
-    doubtful: Option<DoubtfulPlaces<'a>>,
+    doubtful: Option<Box<DoubtfulPlaces<'a>>>,
 }
 
 impl<'a> Gathering<'a> {
@@ -126,7 +126,7 @@ impl GatherMethod {
             true => GatheredBy::Cells(Gather::twice(solution, visibility, eps)),
             false => GatheredBy::Cells(Gather::new(solution, visibility, eps)),
         };
-        let places = || DoubtfulPlaces::of(solution, visibility, rougher * eps);
+        let places = || DoubtfulPlaces::of(solution, visibility, rougher * eps).map(Box::new);
         let doubtful = if self == Self::Walks { None } else { places() };
         Gathering { by, doubtful }
     }
