@@ -246,7 +246,7 @@ class Reading(TypedDict, total=False):
         By what light is gathered [default: auto].
 
     read_eps: float
-        Accuracy of recomputed light, relative, between 0 and 1 [default: 1.25e-3, as `quality` says; 1e-2 of a solution by rays;
+        Accuracy of recomputed light, relative, between 0 and 1 [default: 1.25e-3, as `quality` says; 5e-3 of a solution by rays;
         less for a wanted accuracy below 4e-3: 0.3 of that].
 
     threads: int
@@ -289,7 +289,7 @@ class Auditing(TypedDict, total=False):
         By what light is gathered [default: auto].
 
     read_eps: float
-        Accuracy of recomputed light, relative, between 0 and 1 [default: 1.25e-3, as `quality` says; 1e-2 of a solution by rays;
+        Accuracy of recomputed light, relative, between 0 and 1 [default: 1.25e-3, as `quality` says; 5e-3 of a solution by rays;
         less for a wanted accuracy below 4e-3: 0.3 of that].
 
     threads: int

@@ -247,7 +247,7 @@ fn over_patch(reader: &Reader, element: usize, patch: &Patch, rates: Rates) -> R
         }
         RecomputedLight::Gathered(light) => {
             let origin = Receiver::over(owner.surface, patch);
-            light.in_gap(&origin).unwrap_or_else(|| match light.by() {
+            match light.by() {
                 GatheredBy::Rays(gather) => gather.read(&origin),
                 GatheredBy::Cells(gather) => {
                     let lit = lit(gather.direct(), owner.surface, patch, horizon, rates.direct);
@@ -255,7 +255,7 @@ fn over_patch(reader: &Reader, element: usize, patch: &Patch, rates: Rates) -> R
                         gathered(gather.reflection(), owner.surface, patch, horizon, rates.indirect, &lit);
                     light.settled(&origin, &lit, &gathered)
                 }
-            })
+            }
         }
     }
 }

@@ -19,8 +19,8 @@ pub struct ReadError {
     pub rms: f64,
     /// Largest relative deviation.
     pub largest: f64,
-    /// Number of readings in narrow gaps, in shadow, and of less than 2 % of the scene's mean radiosity in a band, which
-    /// are left out: theirs are small relative to the light of the scene.
+    /// Number of readings in narrow gaps, in shadow, and of less than 2 % of the scene's mean radiosity in a
+    /// band, which are left out: theirs are small relative to the light of the scene.
     pub dark: usize,
 }
 

@@ -36,7 +36,7 @@ pub struct ReadRequest {
     #[cfg_attr(feature = "clap", arg(long, value_name = "WAY"))]
     pub read_by: Option<GatherMethod>,
 
-    /// Accuracy of recomputed light, relative, between 0 and 1 [default: 1.25e-3, as --quality says; 1e-2 of
+    /// Accuracy of recomputed light, relative, between 0 and 1 [default: 1.25e-3, as --quality says; 5e-3 of
     /// a solution by rays; less for a wanted accuracy below 4e-3: 0.3 of that]
     #[cfg_attr(feature = "clap", arg(long, value_name = "E"))]
     pub read_eps: Option<Number<Accuracy>>,

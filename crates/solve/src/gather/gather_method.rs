@@ -15,7 +15,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::gather::Gather;
 use crate::gather::cell_price::CellPrice;
-use crate::gather::doubtful_places::{BY_WALKS, DoubtfulPlaces};
+use crate::gather::doubtful_places::{DoubtfulPlaces, IN_SHADOW};
 use crate::gather::ray_count::{usual_rays, usual_walks};
 use crate::gather::ray_gather::{Beyond, RayGather};
 use crate::gather::read_irradiance::ReadIrradiance;
@@ -68,7 +68,7 @@ pub enum GatheredBy<'a> {
 pub struct Gathering<'a> {
     by: GatheredBy<'a>,
     /// None where walks gather all light.
-    doubtful: Option<DoubtfulPlaces<'a>>,
+    doubtful: Option<Box<DoubtfulPlaces<'a>>>,
 }
 
 impl<'a> Gathering<'a> {
@@ -80,7 +80,8 @@ impl<'a> Gathering<'a> {
     /// All light of a point.
     pub fn read(&self, receiver: &ReceiverPoint) -> ReadIrradiance {
         let origin = Receiver::Point(*receiver);
-        self.in_gap(&origin).unwrap_or_else(|| match &self.by {
+        let in_gap = self.doubtful.as_ref().and_then(|places| places.in_gap(receiver));
+        in_gap.unwrap_or_else(|| match &self.by {
             GatheredBy::Cells(gather) => {
                 let [lit, reflected] = gather.parts(receiver);
                 self.settled(&origin, &lit, &reflected)
@@ -89,13 +90,8 @@ impl<'a> Gathering<'a> {
         })
     }
 
-    /// All light of a receiver in a narrow gap; None elsewhere.
-    pub fn in_gap(&self, origin: &Receiver) -> Option<ReadIrradiance> {
-        self.doubtful.as_ref().and_then(|places| places.in_gap(origin))
-    }
-
-    /// All light of a receiver of which cells found the parts `lit` by emitters and `reflected` (W m⁻² per band): these,
-    /// and where they are doubtful, what is read anew.
+    /// All light of a receiver of which cells found the parts `lit` by emitters and `reflected` (W m⁻² per
+    /// band): these, and where they are doubtful, what is read anew.
     pub fn settled(&self, origin: &Receiver, lit: &[f64], reflected: &[f64]) -> ReadIrradiance {
         let anew = self.doubtful.as_ref().and_then(|places| places.in_shadow(origin, lit, reflected));
         anew.unwrap_or_else(|| lit.iter().zip(reflected).map(|(d, s)| d + s).collect::<Vec<f64>>().into())
@@ -142,7 +138,7 @@ impl GatherMethod {
             true => GatheredBy::Cells(Gather::twice(solution, visibility, eps)),
             false => GatheredBy::Cells(Gather::new(solution, visibility, eps)),
         };
-        let places = || DoubtfulPlaces::of(solution, visibility, rougher * eps);
+        let places = || DoubtfulPlaces::of(solution, visibility, rougher * eps).map(Box::new);
         let doubtful = if self == Self::Walks { None } else { places() };
         Gathering { by, doubtful }
     }
@@ -175,7 +171,7 @@ impl GatherMethod {
     pub fn seconds_in_gaps(self, solution: &Solution, visibility: &Visibility, eps: f64, points: f64) -> f64 {
         let places = || DoubtfulPlaces::of(solution, visibility, eps);
         let places = if self == Self::Walks { None } else { places() };
-        places.map_or(0.0, |places| points * places.in_gaps() * WALK * usual_walks(eps.max(BY_WALKS)))
+        places.map_or(0.0, |places| points * places.in_gaps() * RAY * usual_rays(eps.max(IN_SHADOW)))
     }
 
     /// About the seconds of one core that so many points outside of narrow gaps take to the relative accuracy `eps`, of

@@ -21,8 +21,8 @@
 //! The light of luminaires at x is exact ([`radiosity_light::point_lights`]); E₁(y) has that of one of them,
 //! by a ray.
 //!
-//! *Trusted*, readings of all light at y that may be far from what polynomials say, y on a large element beside x or near
-//! an emitter, go on from there (`super::trusted_light`), and take polynomials of all light nowhere.
+//! *Trusted*, readings of all light at y that may be far from what polynomials say, y on a large element beside x
+//! or near an emitter, go on from there (`super::trusted_light`), and take polynomials of all light nowhere.
 //!
 //! Gathered twice, E₁(y) is itself estimated so, by one ray of either kind.
 //!
@@ -179,6 +179,11 @@ impl<'a> RayGather<'a> {
     /// As made, but the direct light of points is taken from `direct`.
     pub(super) fn beside(self, direct: DirectLight<'a>) -> Self {
         Self { direct: Some(direct), ..self }
+    }
+
+    /// Rays among the surfaces.
+    pub(super) fn rays(&self) -> &SentRays<'a> {
+        &self.rays
     }
 
     /// All light of a receiver. It depends on nothing but the receiver.
