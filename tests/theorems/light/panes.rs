@@ -4,8 +4,7 @@
 //! E = ∫ L(ω) τ(cos θ') cos θ dω ,     tan θ' < r(φ)/h
 //! ```
 //!
-//! at the height h before a pane whose border is r(φ) away in the direction φ along it. Sensors nearer than 10⁻⁵ lie on
-//! the pane.
+//! at the height h before a pane whose border is r(φ) away in the direction φ along it.
 
 use std::f64::consts::{PI, TAU};
 
@@ -81,7 +80,7 @@ fn largest(panes: u32, is_even: bool, random: &mut Random) -> f64 {
     let direct = DirectLight::within(&emitters, &visibility, EPS);
     let rays = Penumbra::new(&emitters, &visibility, EPS);
     let off = |_| {
-        let (place, h) = (PANE.map(|side| side * random.between(0.1, 0.9)), random.power(-5.0, -1.0));
+        let (place, h) = (PANE.map(|side| side * random.between(0.1, 0.9)), random.power(-6.0, -1.0));
         let n = (V::Y + random.between(0.0, 1.2) * random.direction()).normalize();
         let right = right(panes, is_even, place, h, n);
         let receiver = ReceiverPoint::free(V::new(place[0], -h, place[1]), n);
