@@ -32,7 +32,7 @@ fn radiance(is_even: bool, from: V) -> f64 {
     }
 }
 
-/// What this many panes of the index 1.52 let through by Fresnel's formulas; all of it if there is none.
+/// Part of the light that this many panes of the index 1.52 let through by Fresnel's formulas; all of it without one.
 fn transmittance(panes: u32, cosine: f64) -> f64 {
     let within = (1.0 - (1.0 - cosine * cosine) / (1.52 * 1.52)).sqrt();
     let across = ((cosine - 1.52 * within) / (cosine + 1.52 * within)).powi(2);
