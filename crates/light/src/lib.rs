@@ -30,7 +30,8 @@
 //! A cell is divided while the expected error of its rule is above the tolerance. For a cell without
 //! blockers, of width h at the distance r, with the mean B, the variation ΔB, and the difference δB between
 //! B̄ and the mean of its quarters, the error is about F (0.02 B (h/r)⁴ + 0.05 ΔB (h/r)³ + δB) for the Gauss
-//! rule and F (ΔB min(1, 0.3 (h/r)²) plus δB) for Lambert's formula (`traversal`). Possible blockers are
+//! rule and F (ΔB min(1, 0.3 (h/r)²) plus δB) for Lambert's formula (`traversal`). The points of a curved cell may
+//! also miss its area and its place, by what another rule shows (`cells::moments`). Possible blockers are
 //! listed once per site, which is a point or a small piece of a surface (`occluders`); from cell to cell of a
 //! tree only those that may still hide a part of it are kept.
 //!

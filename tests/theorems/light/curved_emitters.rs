@@ -96,7 +96,7 @@ fn receivers(shape: &dyn Surface, random: &mut Random) -> Vec<(DVec3, DVec3)> {
     std::iter::repeat_with(receiver).take(RECEIVERS).collect()
 }
 
-/// What cells and closed forms say at random receivers of surface `index`, against quadrature.
+/// Light by cells and closed forms at random receivers of surface `index`, against quadrature.
 fn check(name: &str, scene: &Scene, index: usize, radiance: impl Fn(f64) -> f64 + Copy) {
     let shape = &*scene.surfaces[index].shape;
     let points = receivers(shape, &mut Random(index as u64 + name.len() as u64));

@@ -4,8 +4,7 @@
 //! E = ∫ L(ω) τ(cos θ') cos θ dω ,     tan θ' < r(φ)/h
 //! ```
 //!
-//! at the height h before a pane whose border is r(φ) away in the direction φ along it. Sensors nearer than 10⁻⁵ lie on
-//! the pane.
+//! at the height h before a pane whose border is r(φ) away in the direction φ along it.
 
 use std::f64::consts::{PI, TAU};
 
@@ -33,7 +32,7 @@ fn radiance(is_even: bool, from: V) -> f64 {
     }
 }
 
-/// What this many panes of the index 1.52 let through by Fresnel's formulas; all of it if there is none.
+/// Part of the light that this many panes of the index 1.52 let through by Fresnel's formulas; all of it without one.
 fn transmittance(panes: u32, cosine: f64) -> f64 {
     let within = (1.0 - (1.0 - cosine * cosine) / (1.52 * 1.52)).sqrt();
     let across = ((cosine - 1.52 * within) / (cosine + 1.52 * within)).powi(2);
@@ -81,7 +80,7 @@ fn largest(panes: u32, is_even: bool, random: &mut Random) -> f64 {
     let direct = DirectLight::within(&emitters, &visibility, EPS);
     let rays = Penumbra::new(&emitters, &visibility, EPS);
     let off = |_| {
-        let (place, h) = (PANE.map(|side| side * random.between(0.1, 0.9)), random.power(-5.0, -1.0));
+        let (place, h) = (PANE.map(|side| side * random.between(0.1, 0.9)), random.power(-6.0, -1.0));
         let n = (V::Y + random.between(0.0, 1.2) * random.direction()).normalize();
         let right = right(panes, is_even, place, h, n);
         let receiver = ReceiverPoint::free(V::new(place[0], -h, place[1]), n);

@@ -230,7 +230,7 @@ impl Cell {
         let polygon =
             inward.iter().fold(self.patch.polygon(), |part, normal| clip_polygon(&part, point, *normal));
         let patches = Patch::of_polygon(&polygon, self.nodes[0].normal);
-        let cell = |patch| Self::bare(patch).with_values(smallvec![1.0; POINTS], scale);
+        let cell = |patch| Self::bare(from_shortest(patch)).with_values(smallvec![1.0; POINTS], scale);
         patches.into_iter().map(cell).collect()
     }
 
@@ -426,6 +426,18 @@ impl Cell {
     pub(super) fn node(&self, [s, t]: [f64; 2]) -> Node {
         self.patch.node(s, t)
     }
+}
+
+/// A triangle charted from its shortest side, so that a slender one is long in one direction alone; other patches as
+/// they are.
+fn from_shortest(patch: Patch) -> Patch {
+    if !patch.is_triangle() {
+        return patch;
+    }
+    let corners = patch.polygon();
+    let length = |k: &usize| corners[*k].distance_squared(corners[(k + 1) % 3]);
+    let shortest = (0..3).min_by(|j, k| length(j).total_cmp(&length(k))).unwrap_or(0);
+    patch.oriented(shortest, (shortest + 1) % 3)
 }
 
 /// The quarters of a cell.

@@ -20,8 +20,9 @@
 //! The light of the sun and of luminaires has steps: the border of a sun's patch, the edge of a spot, shadows.
 //! A step that enters a cell from beside it crosses the border of the cell. So a cell beside a step, whose points and
 //! quarters see none, is asked along its border too; where beams may light a small part of a patch, so are all
-//! cells of some levels, until they are narrower than the beams. A cell that is not divided further beside a step takes its mean from more points:
-//! where a step runs along the sides of cells, four points would err in one direction in a whole row of them.
+//! cells of some levels, until they are narrower than the beams. A cell that is not divided further beside a step
+//! takes its mean from more points: where a step runs along the sides of cells, four points would err in one
+//! direction in a whole row of them.
 
 use radiosity_elements::Element;
 use radiosity_elements::patch::Node;
