@@ -21,6 +21,7 @@ mod ray_count;
 mod sent_rays;
 pub(crate) mod direct_by_rays;
 mod trusted_light;
+mod bends;
 mod walked_light;
 pub mod ray_gather;
 mod doubtful_places;

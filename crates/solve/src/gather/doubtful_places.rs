@@ -28,12 +28,12 @@ use radiosity_geom::Rect;
 use radiosity_light::receiver_point::ReceiverPoint;
 use radiosity_visibility::Visibility;
 
+use crate::gather::bends::{SentLight, bends};
 use crate::gather::ray_gather::{Beyond, RayGather};
 use crate::gather::read_irradiance::{Deviation, ReadIrradiance};
 use crate::gather::receiver::Receiver;
 use crate::gather::trusted_light::is_seen_large;
 use crate::solution::Solution;
-use crate::system::Coefficients;
 
 /// Height of a gap over the diagonals of both surfaces up to which it is narrow: then about its square of the light
 /// outside comes to its middle. Chosen.
@@ -89,7 +89,7 @@ impl<'a> DoubtfulPlaces<'a> {
         let is_plain = visibility.casts() && solution.masked().is_none() && !solution.is_truncated();
         is_plain.then(|| {
             let usual = solution.mean_arriving();
-            let bends = bends(solution, &usual);
+            let bends = bends(solution, &usual, SentLight::Again);
             let lit = usual.iter().map(|usual| SHADOWED * usual).collect();
             let shadows =
                 RayGather::new(solution, visibility, eps.max(IN_SHADOW), Beyond::Trusted).with_dark(lit);
@@ -174,26 +174,6 @@ impl<'a> DoubtfulPlaces<'a> {
             })
         })
     }
-}
-
-/// Root mean square over each element of what the polynomials of the highest degree reflect of its reflected
-/// light, over the `usual` light: the largest of the bands. All of it on an element that has constants alone.
-fn bends(solution: &Solution, usual: &[f64]) -> Vec<f64> {
-    let list = solution.elements().list();
-    let mut bends = vec![0.0_f64; list.len()];
-    for (band, usual) in solution.bands().iter().zip(usual) {
-        let Coefficients { irradiance, direct, .. } = &band.coefficients;
-        let mut end = 0;
-        for (index, (element, bend)) in list.iter().zip(&mut bends).enumerate() {
-            end += element.basis.len();
-            let highest = end - (element.basis.order() + 1)..end;
-            let parts = irradiance[highest.clone()].iter().zip(&direct[highest]);
-            let square: f64 = parts.map(|(all, direct)| (all - direct).powi(2)).sum();
-            let own = band.coating.reflectance[index] * (square / element.area).sqrt();
-            *bend = bend.max(own / usual.max(f64::MIN_POSITIVE));
-        }
-    }
-    bends
 }
 
 /// Light that is as well known beside that of the scene as was asked, whatever its relative error.

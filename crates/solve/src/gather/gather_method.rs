@@ -86,15 +86,27 @@ impl<'a> Gathering<'a> {
                 let [lit, reflected] = gather.parts(receiver);
                 self.settled(&origin, &lit, &reflected)
             }
-            GatheredBy::Rays(gather) => gather.read(&origin),
+            GatheredBy::Rays(gather) => match gather.direct_by_cells(receiver) {
+                Some(lit) => {
+                    let reflected = gather.reflected_alone(&origin, &lit);
+                    let anew = self.anew(&origin, &lit, &reflected.irradiance);
+                    anew.unwrap_or_else(|| reflected.with(&lit))
+                }
+                None => gather.read(&origin),
+            },
         })
+    }
+
+    /// What is read anew, where the parts `lit` by emitters and `reflected` (W m⁻² per band) of a receiver are doubtful.
+    fn anew(&self, origin: &Receiver, lit: &[f64], reflected: &[f64]) -> Option<ReadIrradiance> {
+        self.doubtful.as_ref().and_then(|places| places.in_shadow(origin, lit, reflected))
     }
 
     /// All light of a receiver of which cells found the parts `lit` by emitters and `reflected` (W m⁻² per
     /// band): these, and where they are doubtful, what is read anew.
     pub fn settled(&self, origin: &Receiver, lit: &[f64], reflected: &[f64]) -> ReadIrradiance {
-        let anew = self.doubtful.as_ref().and_then(|places| places.in_shadow(origin, lit, reflected));
-        anew.unwrap_or_else(|| lit.iter().zip(reflected).map(|(d, s)| d + s).collect::<Vec<f64>>().into())
+        self.anew(origin, lit, reflected)
+            .unwrap_or_else(|| lit.iter().zip(reflected).map(|(d, s)| d + s).collect::<Vec<f64>>().into())
     }
 
     /// The reflected light of a point, one of many, beside the direct light `lit` (W m⁻² per band).
@@ -122,19 +134,20 @@ impl GatherMethod {
         points: f64,
         twice: bool,
     ) -> Gathering<'a> {
+        let is_direct_by_cells =
+            CHEAPER * CellPrice::of_direct(solution, visibility) <= RAY * usual_rays(rougher * eps);
         let by_rays = |beyond| {
             let rays = RayGather::new(solution, visibility, rougher * eps, beyond);
-            let cells = CHEAPER * CellPrice::of_direct(solution, visibility);
-            if std::env::var_os("ND").is_some() || cells > RAY * usual_rays(rougher * eps) {
-                return GatheredBy::Rays(rays);
-            }
-            GatheredBy::Rays(rays.beside(DirectLight::within(&solution.emitters(), visibility, eps)))
+            let direct = || DirectLight::within(&solution.emitters(), visibility, eps);
+            GatheredBy::Rays(if is_direct_by_cells { rays.beside(direct()) } else { rays })
         };
         let by = match twice {
             _ if self == Self::Walks => by_rays(Beyond::Walked),
-            _ if self.rays(solution, visibility, eps, rougher * eps, points, twice) => {
-                by_rays(if twice { Beyond::Gathered } else { Beyond::Trusted })
-            }
+            _ if self.rays(solution, visibility, eps, rougher * eps, points, twice) => by_rays(match twice {
+                true => Beyond::Gathered,
+                false if is_direct_by_cells => Beyond::Polynomials,
+                false => Beyond::Trusted,
+            }),
             true => GatheredBy::Cells(Gather::twice(solution, visibility, eps)),
             false => GatheredBy::Cells(Gather::new(solution, visibility, eps)),
         };
