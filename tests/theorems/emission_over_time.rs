@@ -293,7 +293,7 @@ fn light_of_every_kind_is_multiplied_band_by_band() {
     let scene = all("[0.5, 0.25]");
     let found = on_floor(&scene.at_frame(2).unwrap());
     for (found, right) in found.iter().zip([0.5 * rest[0], 0.25 * rest[1]]) {
-        assert_close(*found, right, 1e-10);
+        assert_close(*found, right, 1e-9);
     }
     // Each by itself: what one adds, half of it is left. What is not dimmed stays to the bit.
     for own in names {

@@ -183,7 +183,8 @@ struct Peaks<'a> {
 struct Peak {
     /// Ends of a luminaire; twice the middle of an element.
     ends: [DVec3; 2],
-    /// Radius of a ball around an element, and of a luminaire 0: nearer than that light varies no faster (scene length).
+    /// Radius of a ball around an element (scene length), 0 of a luminaire: nearer than that light varies no
+    /// faster.
     radius: f64,
 }
 

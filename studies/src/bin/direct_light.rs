@@ -1,11 +1,11 @@
 //! Cost and error of the three ways to direct light at sensors: by cells, by shadow volumes with rays where these are
 //! too many, and by rays. Beside a sky, also of the light from each of its 145 patches.
 //!
-//! `cargo run --release -p radiosity-studies --bin direct_light -- SCENE...`
+//! `cargo run --release -p radiosity-studies --bin direct_light -- studies/scenes/*.toml`
 //!
-//! The sensors are those of the planes of each scene, in front of no reflections. Seconds are those of one core, tables
-//! once for all sensors included; the error is the root mean square over all sensors over that of what is right: cells
-//! at 1e-4. The patches are those of Tregenza (Lighting Research and Technology 19, 1987, 13–14). Rays send some to
+//! The sensors are those of the planes of each scene outside of things; nothing is reflected. Seconds are those of
+//! one core, tables once for all sensors included; the error is the root mean square over all sensors over that of
+//! what is right: cells at 1e-4. The patches are those of Tregenza (Lighting Research and Technology 19, 1987, 13–14). Rays send some to
 //! each opening, and each brings its light to the patch that it comes from; the error is that of all 145 together, from
 //! two halves of them, over the light of all. By cells, and by shadow volumes, each patch is at least one emitter more:
 //! so many seconds as the light of an opening takes under a uniform sky, times the patches that the sensor sees, are a
@@ -19,7 +19,7 @@ use cpu_time::ProcessTime;
 use radiosity::light::direct::DirectLight;
 use radiosity::light::penumbra::{Penumbra, RayEffort};
 use radiosity::light::receiver_point::ReceiverPoint;
-use radiosity::scene::SensorPlane;
+use radiosity::scene::{Radiance, SceneSurface, SensorPlane};
 use radiosity::solve::gather::ray_gather::{Beyond, RayGather};
 use radiosity::solve::gather::receiver::Receiver;
 use radiosity::solve::solution::Solution;
@@ -106,7 +106,10 @@ fn main() -> Result<(), Box<dyn Error>> {
                 row(&name, sensors.len(), words, eps, error(&found.light, &right.light), found.seconds);
             }
         }
-        patches::rows(&name, &solution, &visibility, &sensors);
+        let is_opening = |own: &SceneSurface| own.radiance.as_ref().is_some_and(Radiance::is_of_opening);
+        if scene.surfaces.iter().any(is_opening) {
+            patches::rows(&name, &solution, &visibility, &sensors);
+        }
     }
     Ok(())
 }
@@ -194,11 +197,8 @@ mod patches {
         sums
     }
 
-    /// Prints cost and error of the light of all patches, where there are openings.
+    /// Prints cost and error of the light of all patches through the openings.
     pub(super) fn rows(scene: &str, solution: &Solution, visibility: &Visibility, sensors: &[ReceiverPoint]) {
-        if !solution.emitters().are_directed() {
-            return;
-        }
         let random = &mut Random(7);
         for rays in RAYS {
             let start = ProcessTime::now();

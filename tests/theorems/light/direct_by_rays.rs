@@ -117,7 +117,7 @@ fn the_mean_of_each_surface_is_that_of_lambert() {
     }
 }
 
-/// What leaves the lamps arrives, whatever stands in its way.
+/// The flux of the lamps arrives, whatever stands in its way.
 #[test]
 fn all_of_the_flux_arrives() {
     let random = &mut Random(23);

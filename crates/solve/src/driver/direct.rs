@@ -2,9 +2,9 @@
 //!
 //! Split off, D is as sharp as it is in truth, but loses the power that its quadrature misses; projected, it
 //! is as smooth as polynomials, and power is kept to rounding. Sharp shadows need the first, furnaces the
-//! second. Where rays carry light, they find D of openings and luminous areas too (`gather::direct_by_rays`), and what
-//! surfaces reflect of it is carried; light of diffuse emitters is carried from the start. Measured in sixty rooms: with
-//! D of those by rays errors are the same, and times 1.2 times as long.
+//! second. Where rays carry light, they find D of openings and luminous areas too (`gather::direct_by_rays`),
+//! and what surfaces reflect of it is carried; light of diffuse emitters is carried from the start. Measured in
+//! sixty rooms: with D of those by rays errors are the same, and times 1.2 times as long.
 
 use radiosity_elements::Element;
 use radiosity_elements::coating::Coating;
@@ -31,7 +31,7 @@ pub enum Direct {
     Projected,
 }
 
-/// What is known of direct light before anything is carried.
+/// Knowledge of direct light before anything is carried.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum DirectWay {
     /// Nothing of the light of surfaces: it is carried like all other light.
@@ -43,7 +43,7 @@ pub(super) enum DirectWay {
 }
 
 impl Direct {
-    /// What is known of the direct light of all `emitters`, of one scene, before anything is carried by `transfers`.
+    /// The way in which direct light of all `emitters`, of one scene, enters before `transfers` carry the rest.
     pub(super) fn way(
         self,
         emitters: &[Emitters<'_>],
@@ -64,7 +64,7 @@ impl Direct {
     }
 }
 
-/// What carries light between elements.
+/// Carriers of light between elements.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Transfers {
     /// The default kernel.

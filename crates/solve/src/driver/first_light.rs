@@ -37,7 +37,7 @@ pub(super) struct LitScene<'a> {
 /// The first light of all emissions of a scene.
 #[derive(Debug)]
 pub(super) struct FirstLight {
-    /// What is known of direct light; split off where it is masked.
+    /// Knowledge of direct light; split off where it is masked.
     way: DirectWay,
     emissions: Vec<Emission>,
     sources: Vec<EmissionLight>,

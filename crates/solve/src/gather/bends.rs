@@ -16,7 +16,7 @@ use crate::system::Coefficients;
 pub(super) enum SentLight {
     /// All that they reflect.
     All,
-    /// What they reflect of light that was reflected before.
+    /// Light that they reflect for the second time or later.
     Again,
 }
 

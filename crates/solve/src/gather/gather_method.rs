@@ -97,7 +97,8 @@ impl<'a> Gathering<'a> {
         })
     }
 
-    /// What is read anew, where the parts `lit` by emitters and `reflected` (W m⁻² per band) of a receiver are doubtful.
+    /// All light of a receiver, read anew where its parts `lit` by emitters and `reflected` (W m⁻² per band) are
+    /// doubtful.
     fn anew(&self, origin: &Receiver, lit: &[f64], reflected: &[f64]) -> Option<ReadIrradiance> {
         self.doubtful.as_ref().and_then(|places| places.in_shadow(origin, lit, reflected))
     }

@@ -408,8 +408,8 @@ impl<'a> RayGather<'a> {
     }
 
     /// Whether readings take all light at a point of an element from its polynomials, because it is near an
-    /// emitter or smaller than a square of this width, and light bends little there. Never among luminaires: before one of them light
-    /// peaks, which no polynomial follows.
+    /// emitter or smaller than a square of this width, and light bends little there. Never among luminaires:
+    /// before one of them light peaks, which no polynomial follows.
     fn is_rough(&self, element: usize, there: &ReceiverPoint, width: f64) -> bool {
         self.rays.points.is_empty()
             && self.bends[element] < SMOOTH
@@ -435,9 +435,16 @@ impl<'a> RayGather<'a> {
     fn add_direct(&self, receiver: &ReceiverPoint, chance: u64, irradiance: &mut [f64]) {
         self.add_point(receiver, chance, irradiance);
         let shares = self.rays.lamps.seen_from(receiver);
-        if !shares.is_empty() {
-            let target = shares.target(shift(chance));
-            self.add_lamp(receiver, &target, RayMix { cosine: 0.0, to_lamps: 1.0 }, 1.0, irradiance);
+        if shares.is_empty() {
+            return;
+        }
+        let Draws { direction: [polar, turn], target: [choice, s, t], .. } = Draws::of(chance);
+        let is_near = self.rays.lamps.is_near(receiver, NEAR);
+        for LampLight { element, share } in
+            self.rays.direct(receiver, &shares, [choice, s, t, polar, turn], is_near)
+        {
+            let bands = irradiance.iter_mut().zip(self.solution.bands());
+            bands.for_each(|(sum, band)| *sum += share * band.coating.exitance[element]);
         }
     }
 

@@ -12,6 +12,7 @@ use std::f64::consts::PI;
 
 use radiosity_elements::Elements;
 use radiosity_elements::measure::WeightedNode;
+use radiosity_elements::sampling::lambert::lambert;
 use radiosity_geom::{COINCIDENT, DVec3};
 use radiosity_light::emitters::{Emitters, Radiances};
 use radiosity_light::lamps::{Lamps, Shares, Target};
@@ -172,5 +173,24 @@ impl<'a> SentRays<'a> {
         let lamp = self.shining(receiver, target)?;
         let both = mix.cosine * lamp.kernel + mix.to_lamps * lamp.density;
         Some(LampLight { element: lamp.element, share: lamp.relative * lamp.kernel / both })
+    }
+
+    /// The light of emitters at a point by one ray to them, which the numbers choose, and near an emitter, where light by
+    /// such rays has peaks, by a cosine-distributed one beside it.
+    pub(super) fn direct(
+        &self,
+        receiver: &ReceiverPoint,
+        shares: &Shares<'_>,
+        [choice, s, t, polar, turn]: [f64; 5],
+        is_near: bool,
+    ) -> impl Iterator<Item = LampLight> {
+        let mix = RayMix { cosine: if is_near { 1.0 } else { 0.0 }, to_lamps: 1.0 };
+        let to_lamp = self.from_lamp(receiver, &shares.target([choice, s, t]), mix);
+        let along = is_near.then(|| lambert(receiver.normal, [polar, turn]));
+        let beside = along.and_then(|direction| self.met(receiver, direction)).map(|met| {
+            let to_lamps = Some(ToLamps { shares, ratio: 1.0 });
+            LampLight { element: met.element, share: self.exitance_left(receiver, &met, to_lamps) }
+        });
+        to_lamp.into_iter().chain(beside)
     }
 }
