@@ -8,8 +8,7 @@
 //! resolve (`fit::gap`).
 //!
 //! Of several sheets over a place the nearest covers it. A sheet that lies on another with its back covers it
-//! unseen. Of two fronts in one plane neither lies on the other here: a scene sets such apart when it is read
-//! (`fit::stacked`).
+//! unseen; of two in one plane the smaller lies on the larger.
 
 mod sequence;
 
@@ -175,8 +174,10 @@ impl<'a> Sheets<'a> {
         if under == over || !is_parallel || mutual && is_turned() {
             return None;
         }
+        // Of two fronts in one plane the smaller was laid on the larger.
+        let is_laid_under = || !mutual && is_turned() && height_over(other, region).is_some();
         let most = closed(region.extent(), other.extent());
-        let gap = height_over(region, other).filter(|gap| *gap <= most)?;
+        let gap = height_over(region, other).filter(|gap| *gap <= most && !is_laid_under())?;
         Some(SheetContact { under, over, mutual, gap })
     }
 

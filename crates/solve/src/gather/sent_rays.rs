@@ -175,8 +175,8 @@ impl<'a> SentRays<'a> {
         Some(LampLight { element: lamp.element, share: lamp.relative * lamp.kernel / both })
     }
 
-    /// The light of emitters at a point by one ray to them, which the numbers choose, and near an emitter, where light by
-    /// such rays has peaks, by a cosine-distributed one beside it.
+    /// The light of emitters at a point by one ray to them, which the numbers choose, and near an emitter, where
+    /// light by such rays has peaks, by a cosine-distributed one beside it.
     pub(super) fn direct(
         &self,
         receiver: &ReceiverPoint,
