@@ -295,8 +295,8 @@ fn light_of_every_kind_is_multiplied_band_by_band() {
     for (found, right) in found.iter().zip([0.5 * rest[0], 0.25 * rest[1]]) {
         assert_close(*found, right, 1e-9);
     }
-    // Each by itself: what one adds, half of it is left, but for cells, which are divided by what arrives in all. What is
-    // not dimmed stays to the bit.
+    // Each by itself: what one adds, half of it is left, but for cells, which are divided by what arrives in
+    // all. What is not dimmed stays to the bit.
     for own in names {
         let light = |factors: &str| on_floor(&every_light(&motion(own, factors)).at_frame(2).unwrap());
         let [off, half] = [light("0"), light("0.5")];
