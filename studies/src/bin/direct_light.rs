@@ -5,10 +5,12 @@
 //!
 //! The sensors are those of the planes of each scene outside of things; nothing is reflected. Seconds are those of
 //! one core, tables once for all sensors included; the error is the root mean square over all sensors over that of
-//! what is right: cells at 1e-4. The patches are those of Tregenza (Lighting Research and Technology 19, 1987,
-//! 13–14). As many rays go to each part of an opening, and each brings its light to the patch that it comes from; the
-//! error is that of all 145 together, from two halves of them, over the light of all. By cells, and by shadow volumes, each patch is at least one emitter more:
-//! so many seconds as the light of an opening takes under a uniform sky, times the patches that the sensor sees, are a
+//! what is right: cells at 1e-4.
+//!
+//! The patches are those of Tregenza (Lighting Research and Technology 19, 1987, 13–14). As many rays go to each
+//! part of an opening, and each brings its light to the patch that it comes from; the error is that of all 145
+//! together, from two halves of them, over the light of all. By cells, and by shadow volumes, each patch is at least
+//! one emitter more: so many seconds as the light of an opening takes, times the patches that a sensor sees, are a
 //! lower bound.
 
 #![expect(clippy::print_stdout, reason = "a table for people")]
