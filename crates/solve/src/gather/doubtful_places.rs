@@ -24,7 +24,7 @@ use radiosity_elements::Element;
 use radiosity_elements::sampling::kronecker;
 use radiosity_elements::sampling::lambert::lambert;
 use radiosity_elements::sampling::shift::{number_of, shift, shifted};
-use radiosity_geom::Rect;
+use radiosity_geom::{COINCIDENT, Rect};
 use radiosity_light::receiver_point::ReceiverPoint;
 use radiosity_visibility::Visibility;
 
@@ -162,15 +162,16 @@ impl<'a> DoubtfulPlaces<'a> {
         area(&mut list.iter().filter(is_in_gap)) / area(&mut list.iter())
     }
 
-    /// Whether a point of a surface lies in a narrow gap under another one.
+    /// Whether a point of a surface lies in a narrow gap under another one; under one that touches it is in none.
     fn hold(&self, receiver: &ReceiverPoint) -> bool {
         let up = receiver.ground.unwrap_or(receiver.normal);
         let extent = |surface: usize| self.solution.elements().shape(surface).bounds(&Rect::FULL).diagonal();
-        let most = NARROW_IN_SCENE * self.visibility.bounds().diagonal();
+        let diagonal = self.visibility.bounds().diagonal();
+        let heights = COINCIDENT * diagonal..=NARROW_IN_SCENE * diagonal;
         receiver.surface.is_some_and(|surface| {
             self.visibility.nearest_from(surface, receiver.position, up).is_some_and(|met| {
                 let narrow = || NARROW * extent(surface).min(extent(met.surface));
-                met.surface != surface && met.hit.t <= most && met.hit.t <= narrow()
+                met.surface != surface && heights.contains(&met.hit.t) && met.hit.t <= narrow()
             })
         })
     }

@@ -222,8 +222,8 @@ impl<'a> RayGather<'a> {
         self.gathered(self.one(), origin, None, other)
     }
 
-    /// The reflected light of a point alone, one of many, as of [`Self::reflected_alone`]; from polynomials where these
-    /// are trusted.
+    /// The reflected light of a point alone, one of many, accurate relative to this and the light `other` (W m⁻²
+    /// per band); from polynomials where these are trusted.
     pub fn reflected(&self, receiver: &ReceiverPoint, other: &[f64]) -> ReadIrradiance {
         let beyond = if self.beyond == Beyond::Trusted { Beyond::Polynomials } else { self.beyond };
         let of_many = Sending { beyond, first: FIRST_OF_MANY, small: SMALL_BEHIND_PIXELS };
@@ -520,7 +520,7 @@ impl<'a> RayGather<'a> {
 
     /// Adds `scale` times the light of one ray to an emitter.
     fn add_lamp(&self, receiver: &ReceiverPoint, target: &Target, mix: RayMix, scale: f64, sums: &mut [f64]) {
-        let Some(LampLight { element, share }) = self.rays.from_lamp(receiver, target, mix) else { return };
+        let Some(LampLight { element, share }) = self.rays.lamp_light(receiver, target, mix) else { return };
         for (sum, band) in sums.iter_mut().zip(self.solution.bands()) {
             *sum += scale * share * band.coating.exitance[element];
         }

@@ -164,7 +164,7 @@ impl<'a> SentRays<'a> {
     }
 
     /// The light that a ray to an emitter stands for beside others; None where nothing arrives.
-    pub(super) fn from_lamp(
+    pub(super) fn lamp_light(
         &self,
         receiver: &ReceiverPoint,
         target: &Target,
@@ -185,7 +185,7 @@ impl<'a> SentRays<'a> {
         is_near: bool,
     ) -> impl Iterator<Item = LampLight> {
         let mix = RayMix { cosine: if is_near { 1.0 } else { 0.0 }, to_lamps: 1.0 };
-        let to_lamp = self.from_lamp(receiver, &shares.target([choice, s, t]), mix);
+        let to_lamp = self.lamp_light(receiver, &shares.target([choice, s, t]), mix);
         let along = is_near.then(|| lambert(receiver.normal, [polar, turn]));
         let beside = along.and_then(|direction| self.met(receiver, direction)).map(|met| {
             let to_lamps = Some(ToLamps { shares, ratio: 1.0 });
