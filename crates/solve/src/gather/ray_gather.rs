@@ -130,8 +130,16 @@ struct Sending {
     beyond: Beyond,
     /// Rays of each sequence before the error is looked at.
     first: u64,
-    /// Square root of the area of an element, over its distance, up to which all its light is that of its polynomials.
+    held: Held,
+}
+
+/// Elements all of whose light is that of their polynomials.
+#[derive(Clone, Copy)]
+struct Held {
+    /// Square root of the area of an element, over its distance, up to which it is.
     small: f64,
+    /// Bend of the light on it up to which it is.
+    smooth: f64,
 }
 
 /// Numbers of cosine-distributed rays of each sequence.
@@ -150,9 +158,8 @@ struct RayCounts {
 enum EndLight {
     /// The polynomials of the element.
     Polynomials,
-    /// Direct light by a ray that `chance` chooses, the rest by the polynomials; all by the polynomials on
-    /// elements whose area is below the square of `small` times the distance.
-    Direct { chance: u64, small: f64 },
+    /// Direct light by rays that `chance` chooses, the rest by the polynomials; all by these where it is `held`.
+    Direct { chance: u64, held: Held },
     /// All by rays that this number chooses.
     Gathered(u64),
 }
@@ -226,13 +233,17 @@ impl<'a> RayGather<'a> {
     /// per band); from polynomials where these are trusted.
     pub fn reflected(&self, receiver: &ReceiverPoint, other: &[f64]) -> ReadIrradiance {
         let beyond = if self.beyond == Beyond::Trusted { Beyond::Polynomials } else { self.beyond };
-        let of_many = Sending { beyond, first: FIRST_OF_MANY, small: SMALL_BEHIND_PIXELS };
+        let of_many = Sending {
+            beyond,
+            first: FIRST_OF_MANY,
+            held: Held { small: SMALL_BEHIND_PIXELS, smooth: f64::INFINITY },
+        };
         self.gathered(of_many, &Receiver::Point(*receiver), None, other)
     }
 
     /// Rays of a receiver on its own.
     fn one(&self) -> Sending {
-        Sending { beyond: self.beyond, first: FIRST, small: SMALL }
+        Sending { beyond: self.beyond, first: FIRST, held: Held { small: SMALL, smooth: SMOOTH } }
     }
 
     /// Numbers of rays, of which `first` are sent before the error is looked at where they do not go on.
@@ -315,7 +326,7 @@ impl<'a> RayGather<'a> {
             check_interrupt_at(index);
             let chance = number_of([f64::from_bits(number), index as f64]);
             let end_light = match sending.beyond {
-                Beyond::Polynomials => EndLight::Direct { chance, small: sending.small },
+                Beyond::Polynomials => EndLight::Direct { chance, held: sending.held },
                 _ => EndLight::Gathered(chance),
             };
             let to_lamps = shares.map(|shares| ToLamps { shares, ratio: TO_LAMPS });
@@ -394,8 +405,8 @@ impl<'a> RayGather<'a> {
         let mut irradiance = vec![0.0; self.solution.bands().len()];
         match end_light {
             EndLight::Polynomials => self.add_held(element, place, &mut irradiance),
-            EndLight::Direct { chance, small } => {
-                if self.is_rough(element, &there(), small * distance) {
+            EndLight::Direct { chance, held } => {
+                if self.is_held(element, &there(), distance, held) {
                     self.add_held(element, place, &mut irradiance);
                 } else {
                     self.add_reflected(element, place, 1.0, &mut irradiance);
@@ -408,12 +419,12 @@ impl<'a> RayGather<'a> {
     }
 
     /// Whether readings take all light at a point of an element from its polynomials, because it is near an
-    /// emitter or smaller than a square of this width, and light bends little there. Never among luminaires:
-    /// before one of them light peaks, which no polynomial follows.
-    fn is_rough(&self, element: usize, there: &ReceiverPoint, width: f64) -> bool {
+    /// emitter or seen small from this distance, and light bends little there. Never among luminaires: before one
+    /// of them light peaks, which no polynomial follows.
+    fn is_held(&self, element: usize, there: &ReceiverPoint, distance: f64, held: Held) -> bool {
         self.rays.points.is_empty()
-            && self.bends[element] < SMOOTH
-            && (is_small(&self.solution.elements().list()[element], width)
+            && self.bends[element] < held.smooth
+            && (is_small(&self.solution.elements().list()[element], held.small * distance)
                 || self.rays.lamps.is_near(there, NEAR))
     }
 
