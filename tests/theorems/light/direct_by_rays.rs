@@ -1,13 +1,13 @@
 //! Direct light of luminous areas that rays find for the elements of a scene, in black rooms: against Lambert's
 //! formula, and Σ E A = Φ.
 
-use std::f64::consts::TAU;
-
 use radiosity::solve::{Options, Outcome, Transport};
 use radiosity::{Scene, geom::DVec3 as V};
 use radiosity_test_support::random::Random;
 use radiosity_test_support::scenes::typed;
 use radiosity_test_support::solved::outcome_of;
+
+use crate::light::reflected_steps::factor;
 
 /// Flux of a lamp (lm).
 const FLUX: f64 = 3000.0;
@@ -69,16 +69,6 @@ fn carried_by_rays(text: &str) -> (Scene, Outcome) {
     (scene, outcome)
 }
 
-/// Lambert's formula: the irradiance from a polygon of exitance 1, all of it above the horizon.
-fn lambert(corners: &[V], x: V, n: V) -> f64 {
-    let sides = corners.iter().zip(corners.iter().cycle().skip(1));
-    let side = |(a, b): (&V, &V)| {
-        let [a, b] = [*a - x, *b - x].map(V::normalize);
-        a.angle_between(b) * n.dot(a.cross(b).normalize())
-    };
-    sides.map(side).sum::<f64>().abs() / TAU
-}
-
 /// The mean irradiance of a flat surface (lx); None of the ceiling, and where a lamp is not wholly above its horizon.
 fn exact_mean(outcome: &Outcome, surface: usize, lamps: &[[V; 4]]) -> Option<f64> {
     let shape = outcome.solution.elements().shape(surface);
@@ -93,7 +83,7 @@ fn exact_mean(outcome: &Outcome, surface: usize, lamps: &[[V; 4]]) -> Option<f64
                 return None;
             }
             let area = (lamp[1] - lamp[0]).length() * (lamp[3] - lamp[0]).length();
-            sum += FLUX / area * lambert(lamp, jet.position, jet.normal);
+            sum += FLUX / area * factor(lamp, jet.position, jet.normal);
         }
     }
     Some(sum / (POINTS * POINTS) as f64)

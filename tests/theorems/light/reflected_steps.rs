@@ -59,7 +59,7 @@ fn gathered(text: &str, parts: usize, sensors: &[[V; 2]]) -> Vec<f64> {
 }
 
 /// The part of what a convex polygon radiates that arrives (Lambert's formula).
-fn factor(corners: &[V], x: V, n: V) -> f64 {
+pub(super) fn factor(corners: &[V], x: V, n: V) -> f64 {
     let sides = corners.iter().zip(corners.iter().cycle().skip(1));
     let side = |(a, b): (&V, &V)| {
         let [a, b] = [*a - x, *b - x].map(V::normalize);
