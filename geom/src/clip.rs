@@ -103,6 +103,15 @@ pub fn overhang(polygon: &[DVec3], normal: DVec3, x: DVec3) -> f64 {
     (0..polygon.len()).filter_map(beyond).fold(f64::NEG_INFINITY, f64::max)
 }
 
+/// Whether the point `x` of a convex polygon's plane lies inside: [`overhang`] is below 0. Faster than that.
+pub fn holds(polygon: &[DVec3], normal: DVec3, x: DVec3) -> bool {
+    let is_within = |k: usize| {
+        let side = polygon[(k + 1) % polygon.len()] - polygon[k];
+        side.cross(normal).dot(x - polygon[k]) < 0.0
+    };
+    (0..polygon.len()).all(is_within)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -60,8 +60,8 @@ pub use aabb::Aabb;
 pub use adjacency::Adjacency;
 pub use bvh::Bvh;
 pub use clip::{
-    area_vector, clip_by_heights, clip_polygon, difference, distance_to_segment, intersection, overhang,
-    polygon_area, polygon_width, sides,
+    area_vector, clip_by_heights, clip_polygon, difference, distance_to_segment, holds, intersection,
+    overhang, polygon_area, polygon_width, sides,
 };
 pub use convex_solid::ConvexSolid;
 pub use flipped::Flipped;

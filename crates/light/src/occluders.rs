@@ -137,6 +137,16 @@ impl Occluders {
         Self { places: kept.iter().map(place).collect(), ranges, obstacles }
     }
 
+    /// The occluders of one element alone.
+    pub(crate) fn alone(&self, element: usize) -> Self {
+        let Some(places) = self.before(element) else {
+            return Self { ranges: vec![None], ..Self::nothing() };
+        };
+        let obstacles: Vec<usize> = places.iter().map(|place| self.obstacles[*place]).collect();
+        let count = obstacles.len();
+        Self { obstacles, places: (0..count).collect(), ranges: vec![Some((0, count))] }
+    }
+
     /// Whether nothing stands between the site and any element in sight.
     pub(crate) fn is_clear(&self) -> bool {
         self.places.is_empty()

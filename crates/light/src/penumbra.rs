@@ -70,7 +70,7 @@ use crate::emitters::{Emitters, Radiances};
 use crate::lamp_cells::LampCells;
 use crate::lamps::Lamp;
 use crate::light_sources::LightSource;
-use crate::occluders::Occluders;
+use crate::occluders::{Occluders, Site};
 use crate::point_lights::PointLights;
 use crate::receiver_point::ReceiverPoint;
 use crate::tolerances::DARK;
@@ -84,6 +84,10 @@ const FEWEST: u64 = 4;
 /// Share of all light that an emitter sends at least for which it is listed what may stand before it. Chosen:
 /// a list costs about as much as [`FEWEST`] rays.
 const LISTED: f64 = 0.1;
+
+/// Obstacles listed for a site, at most, that are looked at before a weaker emitter. Chosen: each costs about as
+/// much as a ray.
+const FEW: usize = 4;
 
 /// Shadow volumes of flat things, at most, that are cut out of a flat emitter. Chosen: the cost doubles with
 /// each that overlaps.
@@ -200,39 +204,97 @@ impl<'a> Penumbra<'a> {
         Self { visibility, sources: LightSource::all(sources, visibility), radiances, points, bands, eps }
     }
 
-    /// The direct light at a point where `beside` it other light arrives (W m⁻², mean over the bands).
-    pub fn estimate(&self, receiver: &ReceiverPoint, beside: f64, effort: RayEffort) -> DirectEstimate {
+    /// What may stand between a site and each emitter: with it, points of the site need few rays.
+    pub fn around(&self, site: &Site) -> Occluders {
+        let hulls: Vec<&[DVec3]> = self.sources.iter().map(|source| source.extent().hull).collect();
+        let senders = self.sources.iter().map(LightSource::sender);
+        Occluders::new(self.visibility, senders, site).narrowed(self.visibility, &hulls, site)
+    }
+
+    /// What of `around` may stand between a part of the site that this was listed for and each emitter.
+    pub fn narrowed(&self, around: &Occluders, part: &Site) -> Occluders {
+        let hulls: Vec<&[DVec3]> = self.sources.iter().map(|source| source.extent().hull).collect();
+        around.clone().narrowed(self.visibility, &hulls, part)
+    }
+
+    /// The direct light at a point where `beside` it other light arrives (W m⁻², mean over the bands); `around`
+    /// is what may stand between a site that holds the point and the emitters, where that is known.
+    pub fn estimate(
+        &self,
+        receiver: &ReceiverPoint,
+        around: Option<&Occluders>,
+        beside: f64,
+        effort: RayEffort,
+    ) -> DirectEstimate {
         let mut points = vec![0.0; self.bands];
         self.points.add(receiver, self.visibility, &mut points);
         let beside = beside + points.iter().sum::<f64>() / self.bands as f64;
         let bounds: Vec<f64> = self.sources.iter().map(|source| source.lamp.bound(receiver)).collect();
         let all: f64 = bounds.iter().sum();
-        let shares = self.sources.iter().zip(bounds.iter().map(|bound| bound / all));
-        let some: SmallVec<[(&LightSource, f64, Option<Occluders>); 4]> = shares
-            .filter(|(_, share)| *share > 0.0)
-            .map(|(source, share)| (source, share, self.listed(receiver, source, share)))
-            .collect();
+        let (mut clear, mut open) = (SmallVec::<[EmitterFactor; 16]>::new(), SmallVec::<[usize; 16]>::new());
+        let mut arrives = 0.0;
+        for index in (0..bounds.len()).filter(|index| bounds[*index] > 0.0) {
+            match around.and_then(|around| self.without_rays(receiver, around, index)) {
+                Some(value) if value > 0.0 => {
+                    let Lamp { element, brightness, .. } = self.sources[index].lamp;
+                    arrives += brightness * value;
+                    clear.push(EmitterFactor { element, value });
+                }
+                Some(_) => {}
+                None => open.push(index),
+            }
+        }
+        let of = |index: usize| {
+            let (source, share) = (&self.sources[index], bounds[index] / all);
+            (source, share, self.listed(receiver, around, index, share))
+        };
+        let some: SmallVec<[(&LightSource, f64, Option<Occluders>); 4]> = open.into_iter().map(of).collect();
         let beams =
             some.iter().map(|(source, share, listed)| self.beam(receiver, source, *share, listed.as_ref()));
         let is_dark = |beam: &EmitterBeam| beam.whole == Some(0.0) || beam.known == Some(0.0);
         let mut beams: SmallVec<[EmitterBeam; 1]> = beams.filter(|beam| !is_dark(beam)).collect();
-        let arrives: f64 = beams.iter().map(|beam| beam.source.lamp.brightness * beam.factor()).sum();
+        arrives += beams.iter().map(|beam| beam.source.lamp.brightness * beam.factor()).sum::<f64>();
         let tolerance = effort.error_factor * self.eps * (beside + arrives).max(DARK * all);
         self.refine(receiver, &mut beams, tolerance, effort.sure);
         let factor =
             |beam: &EmitterBeam| EmitterFactor { element: beam.source.lamp.element, value: beam.factor() };
         DirectEstimate {
-            visible: visible_emitters(&beams),
-            factors: beams.iter().map(factor).collect(),
+            visible: visible_emitters(&beams, &clear),
+            factors: beams.iter().map(factor).chain(clear).collect(),
             points,
         }
     }
 
-    /// Obstacles that may stand between a point and an emitter of the part `share` of all light, if that is
-    /// worth a list.
-    fn listed(&self, receiver: &ReceiverPoint, source: &LightSource, share: f64) -> Option<Occluders> {
-        let list = || Occluders::new(self.visibility, iter::once(source.sender()), &receiver.site());
-        (share >= LISTED).then(list)
+    /// U_l v_l of the emitter with this index, where a list for a site of the point says that nothing of it is
+    /// hidden, and it has a closed form, or that it is out of sight.
+    fn without_rays(&self, receiver: &ReceiverPoint, around: &Occluders, index: usize) -> Option<f64> {
+        match around.before(index) {
+            None => Some(0.0),
+            Some([]) => {
+                let polygons = self.sources[index].polygons()?;
+                Some(polygons.iter().map(|polygon| receiver.factor(polygon, iter::empty())).sum())
+            }
+            Some(_) => None,
+        }
+    }
+
+    /// Obstacles that may stand between a point and the emitter with this index, of the part `share` of all light,
+    /// by a list for a site that holds the point, or if that is worth a list.
+    fn listed(
+        &self,
+        receiver: &ReceiverPoint,
+        around: Option<&Occluders>,
+        index: usize,
+        share: f64,
+    ) -> Option<Occluders> {
+        let is_worth =
+            |around: &Occluders| share >= LISTED || around.before(index).is_none_or(|own| own.len() <= FEW);
+        match around {
+            Some(around) => is_worth(around).then(|| around.alone(index)),
+            None => (share >= LISTED).then(|| {
+                Occluders::new(self.visibility, iter::once(self.sources[index].sender()), &receiver.site())
+            }),
+        }
     }
 
     /// The light from an emitter that sends about the part `share` of all light without shadows: known, or by
@@ -377,13 +439,15 @@ fn cells<'l>(lamp: &'l Lamp, receiver: &ReceiverPoint) -> LampCells<'l> {
     }
 }
 
-/// Which emitters are seen.
-fn visible_emitters(beams: &[EmitterBeam]) -> VisibleEmitters {
+/// Which emitters are seen: those of beams, and those that are seen whole.
+fn visible_emitters(beams: &[EmitterBeam], whole: &[EmitterFactor]) -> VisibleEmitters {
     if beams.iter().any(EmitterBeam::is_mixed) {
         return VisibleEmitters::Partial;
     }
-    let seen = beams.iter().filter(|beam| beam.factor() > 0.0);
-    VisibleEmitters::Sees(number_of(seen.map(|beam| beam.source.lamp.element as f64)))
+    let beams = beams.iter().filter(|beam| beam.factor() > 0.0).map(|beam| beam.source.lamp.element);
+    let mut seen: SmallVec<[usize; 16]> = beams.chain(whole.iter().map(|own| own.element)).collect();
+    seen.sort_unstable();
+    VisibleEmitters::Sees(number_of(seen.into_iter().map(|element| element as f64)))
 }
 
 impl EmitterBeam<'_> {

@@ -4,6 +4,7 @@ pub mod pinhole;
 pub mod seen_surfaces;
 pub mod pixel_samples;
 pub mod raster;
+mod light_field;
 mod frame_light;
 pub mod render;
 pub mod lightmap;

@@ -251,7 +251,7 @@ impl Solution {
     }
 
     /// Mean irradiance (W m⁻²) of each band over all surfaces.
-    pub(crate) fn mean_arriving(&self) -> Vec<f64> {
+    pub fn mean_arriving(&self) -> Vec<f64> {
         let area: f64 = self.elements.list().iter().map(|element| element.area).sum();
         let ones = self.elements.constant();
         let arriving = |band: &Band| dot(&band.coefficients.irradiance, &ones) / area;

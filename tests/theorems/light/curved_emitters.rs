@@ -116,7 +116,7 @@ fn check(name: &str, scene: &Scene, index: usize, radiance: impl Fn(f64) -> f64 
         let is_above = hull.iter().all(|y| (*y - x).dot(n) > 0.0);
         if !emitters.are_directed() && is_above && x.length() > FAR {
             let effort = RayEffort { error_factor: 1.0, sure: true };
-            let estimate = forms.estimate(&ReceiverPoint::free(x, n), 0.0, effort);
+            let estimate = forms.estimate(&ReceiverPoint::free(x, n), None, 0.0, effort);
             assert_right(estimate.factors.iter().map(|own| own.value).sum(), "a form");
         }
     }

@@ -264,7 +264,7 @@ fn errors(windows: &[Window], sensors: usize, random: &mut Random) -> Vec<[f64; 
             for (x, n) in &places {
                 let receiver = ReceiverPoint::free(*x, *n);
                 let effort = RayEffort { error_factor: 1.0, sure: true };
-                let factors = pictures.estimate(&receiver, 0.0, effort).factors;
+                let factors = pictures.estimate(&receiver, None, 0.0, effort).factors;
                 let exitance = |element: usize| sources.coatings[0].exitance[element];
                 let in_picture: f64 = factors.iter().map(|own| own.value * exitance(own.element)).sum();
                 let by_cells = cells.irradiance(&receiver, &cells.around(&receiver.site()))[0];

@@ -85,7 +85,7 @@ fn largest(panes: u32, is_even: bool, random: &mut Random) -> f64 {
         let right = right(panes, is_even, place, h, n);
         let receiver = ReceiverPoint::free(V::new(place[0], -h, place[1]), n);
         let by_cells = direct.irradiance(&receiver, &direct.around(&receiver.site()))[0];
-        let estimate = rays.estimate(&receiver, 0.0, RayEffort { error_factor: 1.0, sure: true });
+        let estimate = rays.estimate(&receiver, None, 0.0, RayEffort { error_factor: 1.0, sure: true });
         let exitance = |element: usize| emitters.coatings[0].exitance[element];
         let by_rays: f64 = estimate.factors.iter().map(|own| own.value * exitance(own.element)).sum();
         (by_cells / right - 1.0).abs().max((by_rays / right - 1.0).abs())

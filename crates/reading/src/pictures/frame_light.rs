@@ -1,43 +1,52 @@
 //! Light at the places of a frame: those that the pixels of a picture see, or the texels of a surface.
 //!
-//! Direct light is computed at every place. Other light, where it is gathered, is computed at few of them and
-//! interpolated between neighbours in the frame (`smooth`).
+//! Direct light is computed at every place. Other light, where it is gathered, is that of the light field.
 
 pub(crate) mod eye;
-mod fit;
 pub(crate) mod frame;
 pub(crate) mod pixel_count;
-pub(crate) mod smooth;
 pub(crate) mod picture_light;
 mod direct_pass;
+pub(crate) mod neighbourhoods;
 pub(crate) mod forecast;
 
 use radiosity_work::Work;
 
+use super::light_field::{AskedPlace, LightField};
 use direct_pass::lit;
 use eye::SeenPlace;
 use frame::Frame;
 use picture_light::PictureLight;
-use smooth::Smooth;
+
+/// Reach of the light of a pixel (pixels): samples of the pixels beside it.
+const REACH: f64 = 1.5;
 
 /// The irradiance of a frame.
 pub(crate) struct FrameLight<'a> {
     frame: &'a Frame,
-    light: &'a PictureLight<'a>,
-    /// Direct irradiance per place and band (W m⁻²).
-    direct: Vec<Vec<f64>>,
-    /// Other light; None where it is not gathered.
-    smooth: Option<Smooth<'a>>,
+    bands: usize,
+    /// Irradiance (W m⁻²) place by place, bands fastest; 0 where nothing is seen.
+    irradiance: Vec<f64>,
 }
 
 impl<'a> FrameLight<'a> {
-    /// The light of all places of a frame.
-    pub(crate) fn over(frame: &'a Frame, light: &'a PictureLight<'a>, work: &Work<'_>) -> Self {
+    /// The light of all places of a frame, gathered by `field` unless it is read from the polynomials.
+    pub(crate) fn over(
+        frame: &'a Frame,
+        light: &PictureLight,
+        field: Option<&mut LightField>,
+        work: &Work<'_>,
+    ) -> Self {
         let direct = lit(frame, light, work);
-        let rest = |place: usize, seen: &SeenPlace| light.rest(seen, &direct[place]);
         let bands = light.solution().bands().len();
-        let smooth = light.gathers().then(|| Smooth::over(frame, bands, &rest, &direct, work));
-        Self { frame, light, direct, smooth }
+        let mut irradiance = match field {
+            Some(field) => field.at(&asked(frame, &direct), work),
+            None => polynomials(frame, light),
+        };
+        for (sums, direct) in irradiance.chunks_exact_mut(bands).zip(direct) {
+            sums.iter_mut().zip(direct).for_each(|(sum, direct)| *sum += direct);
+        }
+        Self { frame, bands, irradiance }
     }
 
     /// The places.
@@ -45,21 +54,53 @@ impl<'a> FrameLight<'a> {
         self.frame
     }
 
-    /// Irradiance per band (W m⁻²) at a place; None where nothing is seen.
-    pub(crate) fn irradiance(&self, place: usize) -> Option<Vec<f64>> {
-        let seen = self.frame.seen(place)?;
-        let mut sum = self.direct[place].clone();
-        let mut add = |rest: &[f64]| sum.iter_mut().zip(rest).for_each(|(sum, rest)| *sum += rest);
-        match &self.smooth {
-            Some(smooth) => add(smooth.at(place)),
-            None => add(&self.light.rest(seen, &self.direct[place]).bands),
+    /// Irradiance per band (W m⁻²) between the places of a frame, where a point at its column and row sees `seen`,
+    /// from those beside on the same smooth surface; None where there are none, or they differ by more than
+    /// the part `even`.
+    pub(crate) fn beside(&self, at: [f64; 2], seen: &SeenPlace, even: f64) -> Option<Vec<f64>> {
+        let mut sum = vec![0.0; self.bands];
+        let (mut all, mut least, mut most) = (0.0, f64::MAX, 0.0_f64);
+        let [column, row] = at.map(|at| at.floor() as isize);
+        for (i, j) in (-1..=1).flat_map(|j| (-1..=1).map(move |i| (column + i, row + j))) {
+            let Some(pixel) = self.frame.pixel([i, j]) else { continue };
+            let Some(irradiance) = self.irradiance(pixel) else { continue };
+            if !self.frame.seen(pixel).is_some_and(|other| seen.goes_with(other)) {
+                continue;
+            }
+            let weight = weight([at[0] - i as f64 - 0.5, at[1] - j as f64 - 0.5]);
+            all += weight;
+            sum.iter_mut().zip(irradiance).for_each(|(sum, own)| *sum += weight * own);
+            let size: f64 = irradiance.iter().sum();
+            (least, most) = (least.min(size), most.max(size));
         }
-        Some(sum)
+        let is_even = all > 0.0 && most - least <= even * most;
+        is_even.then(|| sum.into_iter().map(|sum| sum / all).collect())
     }
 
-    /// Gathered light per band (W m⁻²) where a point between the places of the frame sees `seen`; None where
-    /// light is not gathered, or no place around goes with it.
-    pub(crate) fn between(&self, at: [f64; 2], seen: &SeenPlace) -> Option<Vec<f64>> {
-        self.smooth.as_ref()?.between(at, seen)
+    /// Irradiance per band (W m⁻²) at a place; None where nothing is seen.
+    pub(crate) fn irradiance(&self, place: usize) -> Option<&[f64]> {
+        self.frame.seen(place).map(|_| &self.irradiance[place * self.bands..(place + 1) * self.bands])
     }
+}
+
+/// Weight of the light of a pixel whose middle is `apart` pixels from a sample.
+fn weight(apart: [f64; 2]) -> f64 {
+    apart.map(|x| (1.0 - x.abs() / REACH).max(0.0)).into_iter().product()
+}
+
+/// The places of a frame as a light field is asked for them, beside this direct light (W m⁻² per band).
+fn asked(frame: &Frame, direct: &[Vec<f64>]) -> Vec<Option<AskedPlace>> {
+    let one = |place: usize| {
+        let seen = *frame.seen(place)?;
+        let beside = direct[place].iter().sum();
+        Some(AskedPlace { seen, footprint: frame.footprint(place), beside })
+    };
+    (0..frame.len()).map(one).collect()
+}
+
+/// The polynomials of other light of all places of a frame, bands fastest.
+fn polynomials(frame: &Frame, light: &PictureLight) -> Vec<f64> {
+    let nothing = || vec![0.0; light.solution().bands().len()];
+    let of = |place: usize| frame.seen(place).map_or_else(nothing, |seen| light.polynomials(seen));
+    (0..frame.len()).flat_map(of).collect()
 }

@@ -39,10 +39,10 @@ use radiosity_work::{Progress, Stage, Work};
 use serde::{Deserialize, Serialize};
 
 use super::frame_light::FrameLight;
-use super::frame_light::eye::SeenPlace;
 use super::frame_light::forecast::seconds;
 use super::frame_light::frame::Frame;
 use super::frame_light::picture_light::{GATHERED_FOR_PICTURES, PictureLight};
+use super::light_field::LightField;
 use crate::reader::ReadMode;
 use fill::fill;
 use places::Places;
@@ -130,7 +130,7 @@ impl Lightmap {
                 work.report_done(Stage::Texels, done.fetch_add(own, Ordering::Relaxed) + own, count);
             };
             let places = Places::of(solution.elements(), surface, size, diagonal);
-            LightTexture::of(solution.bands().len(), places.all(), size, &lights, &tell)
+            LightTexture::of(solution.bands().len(), &places, size, &lights, &tell)
         };
         let texels: Vec<f64> = sizes.iter().map(|[along_u, along_v]| (along_u * along_v) as f64).collect();
         let surfaces = work.ranks.map(PartName::Textures, &texels, texture);
@@ -204,19 +204,21 @@ impl LightTexture {
     /// gets the texels that are done.
     fn of(
         bands: usize,
-        seen: Vec<Option<SeenPlace>>,
+        places: &Places,
         size: [usize; 2],
         lights: &[PictureLight],
         tell: &dyn Fn(usize),
     ) -> Self {
+        let seen = places.all();
         let computed: Vec<bool> = seen.iter().map(Option::is_some).collect();
-        let frame = Frame::of(size[0], seen);
+        let frame = Frame::of(size[0], seen, places.apart());
         let count = frame.len();
         let mut values = vec![0.0; lights.len() * bands * count];
         for (light, part) in lights.iter().zip(values.chunks_exact_mut(bands * count)) {
-            let lit = FrameLight::over(&frame, light, &Work::alone());
+            let mut field = light.gathers().then(|| LightField::new(light, places.diagonal()));
+            let lit = FrameLight::over(&frame, light, field.as_mut(), &Work::alone());
             for (texel, irradiance) in (0..count).filter_map(|texel| Some((texel, lit.irradiance(texel)?))) {
-                for (band, value) in irradiance.into_iter().enumerate() {
+                for (band, value) in irradiance.iter().enumerate() {
                     part[band * count + texel] = value.max(0.0) as f32;
                 }
             }

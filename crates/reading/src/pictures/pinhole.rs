@@ -37,6 +37,11 @@ impl Pinhole {
         Ray { origin: self.eye, direction, range: [0.0, f64::INFINITY] }
     }
 
+    /// Width of a pixel at the distance of a point from the eye (scene length).
+    pub fn footprint(&self, point: DVec3) -> f64 {
+        self.eye.distance(point) * self.right.length()
+    }
+
     /// The place of a point in the picture, in pixels from its left upper corner; None behind the eye.
     pub fn place(&self, point: DVec3) -> Option<[f64; 2]> {
         // point − eye = s (corner + x right + y down), by Cramer's rule.

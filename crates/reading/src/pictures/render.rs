@@ -2,7 +2,8 @@
 //!
 //! The camera is a pinhole; a ray that meets the back of a surface, or nothing, is black. Light is computed
 //! at the middles of the pixels (`frame_light`). Pixels that an edge of a surface crosses or that differ from
-//! one beside them average `samples × samples` points of a regular grid.
+//! one beside them average `samples × samples` points of a regular grid. What is gathered comes from one light
+//! field of the whole picture (`light_field`).
 
 use std::ops::Range;
 
@@ -16,12 +17,13 @@ use radiosity_work::{Progress, Stage, Work};
 use serde::{Deserialize, Serialize};
 
 use super::frame_light::FrameLight;
-use super::frame_light::eye::Eye;
+use super::frame_light::eye::{Eye, SeenPlace};
 use super::frame_light::forecast::{INTERPOLATED, seconds};
 use super::frame_light::frame::Frame;
+use super::frame_light::neighbourhoods::Neighbourhoods;
 use super::frame_light::picture_light::{AVERAGED, GATHERED_FOR_PICTURES, PictureLight};
 use super::frame_light::pixel_count::PixelCount;
-use super::frame_light::smooth::COARSEST;
+use super::light_field::{AskedPlace, LightField};
 use super::pinhole::Pinhole;
 use super::pixel_samples::PixelSamples;
 use super::raster::Raster;
@@ -39,11 +41,19 @@ const PATIENCE: f64 = 10.0;
 /// it. Chosen.
 const THREADS: f64 = 2.0;
 
-/// Pixels that are worked on at once; rows of more before and after them, that neighbours agree: a pixel's
-/// value hangs on those two steps of the lattice away, of each of its spacings, and one beside it. The former
-/// is chosen.
+/// Pixels that are worked on at once; rows of more before and after them, that neighbours agree: a pixel is
+/// compared with the one beside it, and direct light with that two pixels away. The former is chosen.
 const AT_ONCE: usize = 1 << 20;
-const MARGIN: usize = 5 * COARSEST;
+const MARGIN: usize = 4;
+
+/// Samples of pixels that are worked on at once: some hundred bytes each; and by one thread: some microseconds
+/// each. Both are chosen.
+const SAMPLES_AT_ONCE: usize = 1 << 20;
+const TOGETHER: usize = 64;
+
+/// Relative difference of the irradiances of pixels beside each other up to which a sample at an edge takes
+/// theirs. Chosen: an eighth of the samples would show half of it.
+const EVEN: f64 = 0.02;
 
 /// Rays for direct light at one of several samples of a pixel: their errors average out. Chosen.
 const ONE_OF_SEVERAL: RayEffort = RayEffort { error_factor: 3.0, sure: false };
@@ -70,10 +80,11 @@ pub fn render(
     let shot =
         Shot { light: &light, eye: &eye, view: Pinhole::new(camera), size: [width, height], samples, work };
     work.report(Progress::Expected { stage: Stage::Picture, seconds: shot.seconds() });
-    let at_once = (AT_ONCE / width).div_ceil(COARSEST).max(1) * COARSEST;
+    let at_once = (AT_ONCE / width).max(1);
     let done = PixelCount::new(width * height, Stage::Picture, work);
     let strips = (0..height).step_by(at_once).map(|first| first..(first + at_once).min(height));
-    let mut pixels: Vec<Pixel> = strips.flat_map(|rows| shot.strip(rows, &done)).collect();
+    let mut field = light.gathers().then(|| LightField::new(&light, eye.diagonal));
+    let mut pixels: Vec<Pixel> = strips.flat_map(|rows| shot.strip(rows, field.as_mut(), &done)).collect();
     let bands = solution.bands().iter().map(|band| band.name.clone()).collect();
     let values = pixels.iter().flat_map(|pixel| &pixel.radiosity).copied().collect();
     let coverage = pixels.iter().map(|pixel| pixel.coverage).collect();
@@ -103,6 +114,34 @@ struct Pixel {
     samples: Option<PixelSamples>,
 }
 
+/// One point of the regular grid of a pixel.
+#[derive(Clone, Copy, Debug)]
+struct Sample {
+    /// The pixel of the frame.
+    pixel: usize,
+    /// Place in the grid, along and down.
+    place: [u32; 2],
+}
+
+/// Place that a sample sees.
+#[derive(Clone, Copy, Debug)]
+struct SamplePlace {
+    /// Column and row of its pixel in the frame.
+    pixel: [usize; 2],
+    seen: SeenPlace,
+}
+
+/// Reasons to sample a pixel finely.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+enum Crossing {
+    /// None: its middle is enough.
+    None,
+    /// An edge of a surface crosses it.
+    Edge,
+    /// It differs from one beside it.
+    Light,
+}
+
 /// A picture about to be taken.
 struct Shot<'a> {
     light: &'a PictureLight<'a>,
@@ -125,26 +164,31 @@ impl Shot<'_> {
         seconds(self.light, width * height, &seen, self.work.ranks)
     }
 
-    /// The pixels of some rows.
-    fn strip(&self, rows: Range<usize>, done: &PixelCount) -> Vec<Pixel> {
+    /// The pixels of some rows, with light that `field` gathers.
+    fn strip(&self, rows: Range<usize>, mut field: Option<&mut LightField>, done: &PixelCount) -> Vec<Pixel> {
         let [width, height] = self.size;
         let first = rows.start.saturating_sub(MARGIN);
         let around = first..(rows.end + MARGIN).min(height);
         let ranks = self.work.ranks;
         let frame = Frame::new(self.eye, &self.view, width, around, ranks);
-        let lit = FrameLight::over(&frame, self.light, self.work);
-        let middles: Vec<Pixel> =
+        let lit = FrameLight::over(&frame, self.light, field.as_deref_mut(), self.work);
+        let mut pixels: Vec<Pixel> =
             ranks.map_even(PartName::Middles, frame.len(), width, |pixel| self.middle(&lit, pixel));
-        let pixel = |pixel: usize| {
-            let is_fine =
-                self.samples > 1 && (self.is_edge(&frame, pixel, first) || differs(&frame, &middles, pixel));
-            let sampled = || self.sampled(&lit, pixel, first, &middles[pixel]);
-            let value = if is_fine { sampled() } else { middles[pixel].clone() };
-            done.add();
-            value
-        };
-        let start = (rows.start - first) * width;
-        ranks.map_even(PartName::Pixels, rows.len() * width, width, |place| pixel(start + place))
+        let (start, count) = ((rows.start - first) * width, rows.len() * width);
+        let crossings = ranks.map_even(PartName::Crossings, count, width, |place| {
+            let pixel = start + place;
+            match self.samples > 1 {
+                true if self.is_edge(&frame, pixel, first) => Crossing::Edge,
+                true if differs(&frame, &pixels, pixel) => Crossing::Light,
+                _ => Crossing::None,
+            }
+        });
+        pixels.drain(..start);
+        pixels.truncate(count);
+        let oversampling = Oversampling { shot: self, first, start };
+        oversampling.refine(&lit, &mut pixels, &crossings, field);
+        (0..count).for_each(|_| done.add());
+        pixels
     }
 
     /// The pixel as its middle sees it.
@@ -152,7 +196,7 @@ impl Shot<'_> {
         let (Some(seen), Some(irradiance)) = (lit.frame().seen(pixel), lit.irradiance(pixel)) else {
             return self.nothing();
         };
-        let radiosity = self.light.shown(seen, irradiance.into_iter());
+        let radiosity = self.light.shown(seen, irradiance.iter().copied());
         Pixel { radiosity, coverage: 1.0, samples: None }
     }
 
@@ -172,7 +216,8 @@ impl Shot<'_> {
         };
         !beside.all(goes)
             && CORNERS.iter().any(|place| {
-                let [x, y] = self.point(frame, pixel, place.map(|at| at * (self.samples - 1)));
+                let place = place.map(|at| at * (self.samples - 1));
+                let [x, y] = self.point(frame, Sample { pixel, place });
                 !self
                     .eye
                     .along(&self.view.ray(x, y + first as f64))
@@ -180,38 +225,84 @@ impl Shot<'_> {
             })
     }
 
-    /// The place in the frame of one point of the regular grid of a pixel.
-    fn point(&self, frame: &Frame, pixel: usize, place: [u32; 2]) -> [f64; 2] {
+    /// The place in the frame of a sample.
+    fn point(&self, frame: &Frame, Sample { pixel, place }: Sample) -> [f64; 2] {
         let [column, row] = frame.place(pixel);
         let [x, y] = place.map(|k| (f64::from(k) + 0.5) / f64::from(self.samples));
         [column as f64 + x, row as f64 + y]
     }
 
-    /// The mean over a pixel of a frame that begins with the row `first`; `middle` is the pixel as its middle
-    /// sees it. Where the corners see about the same, they and the middle are enough.
-    fn sampled(&self, lit: &FrameLight, pixel: usize, first: usize, middle: &Pixel) -> Pixel {
-        let sample = |place: [u32; 2]| self.sample(lit, pixel, first, place);
-        let most = self.samples - 1;
-        let corners = CORNERS.map(|corner| corner.map(|at| at * most));
-        let few: Vec<Pixel> = corners.into_iter().map(sample).chain([middle.clone()]).collect();
-        if few.iter().all(|one| !apart(one, middle)) && !self.is_edge(lit.frame(), pixel, first) {
-            return self.mean(&few);
+    /// The pixels as single samples of them see them, in the light `lit` of their middles and of those beside.
+    fn sampled(
+        &self,
+        lit: &FrameLight,
+        first: usize,
+        samples: &[Sample],
+        field: Option<&mut LightField>,
+    ) -> Vec<Pixel> {
+        let ranks = self.work.ranks;
+        let frame = lit.frame();
+        let seen: Vec<Option<SeenPlace>> =
+            ranks.map_even(PartName::Sights, samples.len(), TOGETHER, |index| {
+                let [x, y] = self.point(frame, samples[index]);
+                self.eye.along(&self.view.ray(x, y + first as f64))
+            });
+        let beside = |index: usize| {
+            let at = self.point(frame, samples[index]);
+            seen[index].as_ref().and_then(|seen| lit.beside(at, seen, EVEN))
+        };
+        let mut irradiance = ranks.map_even(PartName::SampleLight, samples.len(), TOGETHER, beside);
+        let is_open = |index: &usize| seen[*index].is_some() && irradiance[*index].is_none();
+        let open: Vec<usize> = (0..samples.len()).filter(is_open).collect();
+        let places: Vec<SamplePlace> = open
+            .iter()
+            .filter_map(|index| {
+                let pixel = frame.place(samples[*index].pixel);
+                Some(SamplePlace { pixel, seen: seen[*index]? })
+            })
+            .collect();
+        for (index, light) in open.into_iter().zip(self.computed(&places, field)) {
+            irradiance[index] = Some(light);
         }
-        let is_corner = |place: &[u32; 2]| corners.contains(place);
-        let all = (0..=most).flat_map(|j| (0..=most).map(move |i| [i, j]));
-        let rest: Vec<Pixel> = all.filter(|place| !is_corner(place)).map(sample).collect();
-        self.mean(&[&few[..4], &rest].concat())
+        let shown = |index: usize| {
+            let (Some(seen), Some(irradiance)) = (&seen[index], &irradiance[index]) else {
+                return self.nothing();
+            };
+            let radiosity = self.light.shown(seen, irradiance.iter().copied());
+            Pixel { radiosity, coverage: 1.0, samples: None }
+        };
+        ranks.map_even(PartName::Pixels, samples.len(), TOGETHER, shown)
     }
 
-    /// The pixel as one point of its regular grid sees it.
-    fn sample(&self, lit: &FrameLight, pixel: usize, first: usize, place: [u32; 2]) -> Pixel {
-        let at = self.point(lit.frame(), pixel, place);
-        let seen = self.eye.along(&self.view.ray(at[0], at[1] + first as f64));
-        let Some(seen) = seen else { return self.nothing() };
-        let direct = self.light.direct(&seen, ONE_OF_SEVERAL).bands;
-        let rest = lit.between(at, &seen).unwrap_or_else(|| self.light.rest(&seen, &direct).bands);
-        let radiosity = self.light.shown(&seen, direct.iter().zip(rest).map(|(d, s)| d + s));
-        Pixel { radiosity, coverage: 1.0, samples: None }
+    /// Irradiance per band (W m⁻²) at the places of samples.
+    fn computed(&self, places: &[SamplePlace], field: Option<&mut LightField>) -> Vec<Vec<f64>> {
+        let neighbourhoods = Neighbourhoods::of(self.light, places.len(), |index| {
+            let SamplePlace { pixel, seen } = &places[index];
+            Some((*pixel, seen))
+        });
+        let direct = |index: usize| {
+            self.light.direct(&places[index].seen, neighbourhoods.around(index), ONE_OF_SEVERAL).bands
+        };
+        let mut irradiance: Vec<Vec<f64>> =
+            self.work.ranks.map_even(PartName::MoreDirectLight, places.len(), TOGETHER, direct);
+        let rest: Vec<f64> = match field {
+            Some(field) => field.at(&self.asked(places, &irradiance), self.work),
+            None => places.iter().flat_map(|place| self.light.polynomials(&place.seen)).collect(),
+        };
+        let bands = self.light.solution().bands().len();
+        for (sums, rest) in irradiance.iter_mut().zip(rest.chunks_exact(bands)) {
+            sums.iter_mut().zip(rest).for_each(|(sum, rest)| *sum += rest);
+        }
+        irradiance
+    }
+
+    /// Samples as a light field is asked for them, beside their direct light.
+    fn asked(&self, places: &[SamplePlace], direct: &[Vec<f64>]) -> Vec<Option<AskedPlace>> {
+        let one = |(place, direct): (&SamplePlace, &Vec<f64>)| {
+            let footprint = self.view.footprint(place.seen.place.position);
+            Some(AskedPlace { seen: place.seen, footprint, beside: direct.iter().sum() })
+        };
+        places.iter().zip(direct).map(one).collect()
     }
 
     /// The pixel that averages these samples.
@@ -225,6 +316,77 @@ impl Shot<'_> {
         let seen = pixels.iter().filter(|pixel| pixel.coverage > 0.0).map(|pixel| pixel.radiosity.clone());
         let samples = PixelSamples::new(seen.collect(), mean.radiosity.len(), pixels.len());
         Pixel { samples: Some(samples), ..mean }
+    }
+}
+
+/// Samples of the pixels of some rows that are to be sampled finely.
+struct Oversampling<'a> {
+    shot: &'a Shot<'a>,
+    /// First row of the frame.
+    first: usize,
+    /// First pixel of the frame that is wanted.
+    start: usize,
+}
+
+impl Oversampling<'_> {
+    /// Replaces pixels, seen by their middles, by means: at edges over all samples, elsewhere over the corners and
+    /// the middle if these see about the same, else over all samples too.
+    fn refine(
+        &self,
+        lit: &FrameLight,
+        pixels: &mut [Pixel],
+        crossings: &[Crossing],
+        mut field: Option<&mut LightField>,
+    ) {
+        let crossed = |place: &usize| crossings[*place] != Crossing::None;
+        let most = (SAMPLES_AT_ONCE / self.shot.samples.pow(2) as usize).max(1);
+        let fine: Vec<usize> = (0..pixels.len()).filter(crossed).collect();
+        for fine in fine.chunks(most) {
+            let corners = self.sampled(lit, fine, self.corners(), field.as_deref_mut());
+            let wants_all = |own: usize| {
+                let middle = &pixels[fine[own]];
+                crossings[fine[own]] == Crossing::Edge || corners[own].iter().any(|one| apart(one, middle))
+            };
+            let (more, enough): (Vec<usize>, Vec<usize>) = (0..fine.len()).partition(|own| wants_all(*own));
+            let places: Vec<usize> = more.iter().map(|own| fine[*own]).collect();
+            let rest = self.sampled(lit, &places, self.others(), field.as_deref_mut());
+            for (own, rest) in more.into_iter().zip(rest) {
+                pixels[fine[own]] = self.shot.mean(&[&corners[own][..], &rest].concat());
+            }
+            for own in enough {
+                let middle = pixels[fine[own]].clone();
+                pixels[fine[own]] = self.shot.mean(&[&corners[own][..], &[middle]].concat());
+            }
+        }
+    }
+
+    /// The corners of the grid of a pixel.
+    fn corners(&self) -> Vec<[u32; 2]> {
+        CORNERS.map(|corner| corner.map(|at| at * (self.shot.samples - 1))).to_vec()
+    }
+
+    /// The points of the grid of a pixel but its corners.
+    fn others(&self) -> Vec<[u32; 2]> {
+        let (corners, count) = (self.corners(), self.shot.samples);
+        let all = (0..count).flat_map(|j| (0..count).map(move |i| [i, j]));
+        all.filter(|place| !corners.contains(place)).collect()
+    }
+
+    /// The same samples of each of some pixels, pixel by pixel.
+    fn sampled(
+        &self,
+        lit: &FrameLight,
+        pixels: &[usize],
+        grid: Vec<[u32; 2]>,
+        field: Option<&mut LightField>,
+    ) -> Vec<Vec<Pixel>> {
+        let of = |pixel: usize| {
+            let pixel = self.start + pixel;
+            grid.iter().map(move |place| Sample { pixel, place: *place })
+        };
+        let samples: Vec<Sample> = pixels.iter().flat_map(|pixel| of(*pixel)).collect();
+        let all = self.shot.sampled(lit, self.first, &samples, field);
+        all.chunks(grid.len().max(1)).map(<[Pixel]>::to_vec).collect()
     }
 }
 

@@ -6,7 +6,7 @@
 use std::f64::consts::PI;
 
 use radiosity_elements::Elements;
-use radiosity_geom::{DVec3, Rect, Surface, overhang};
+use radiosity_geom::{DVec3, Rect, Surface, holds, overhang};
 use radiosity_light::receiver_point::ReceiverPoint;
 
 use crate::solution::{Band, Solution, SurfacePlace};
@@ -142,7 +142,9 @@ pub(super) fn extent(shape: &dyn Surface) -> f64 {
 /// Middle of the convex piece of a planar surface that contains `x` or is nearest to it.
 fn middle_of_piece(shape: &dyn Surface, x: DVec3) -> Option<DVec3> {
     let region = shape.region()?;
+    let pieces = region.convex_pieces();
     let outside = |piece: &[DVec3]| overhang(piece, region.normal(), x);
-    let piece = region.convex_pieces().iter().min_by(|a, b| outside(a).total_cmp(&outside(b)))?;
+    let nearest = || pieces.iter().min_by(|a, b| outside(a).total_cmp(&outside(b)));
+    let piece = pieces.iter().find(|piece| holds(piece, region.normal(), x)).or_else(nearest)?;
     Some(piece.iter().sum::<DVec3>() / piece.len() as f64)
 }

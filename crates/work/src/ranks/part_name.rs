@@ -46,4 +46,8 @@ pub enum PartName {
     Textures,
     /// Walks of the referee, reading by reading.
     Referee,
+    /// Pixels that are to be sampled finely.
+    Crossings,
+    /// Places that samples of pixels see, and direct light there.
+    SampleLight,
 }

@@ -6,7 +6,9 @@ use radiosity_work::ranks::PartName;
 use radiosity_work::{Stage, Work};
 use rayon::prelude::*;
 
+use super::eye::SeenPlace;
 use super::frame::Frame;
+use super::neighbourhoods::Neighbourhoods;
 use super::picture_light::{DirectIrradiance, PictureLight};
 use super::pixel_count::PixelCount;
 
@@ -20,9 +22,13 @@ const TOGETHER: usize = 64;
 /// The direct irradiance of all pixels; nothing where nothing is seen. All pixels are told, then those that
 /// are computed again.
 pub(crate) fn lit(frame: &Frame, light: &PictureLight, work: &Work<'_>) -> Vec<Vec<f64>> {
+    let neighbourhoods =
+        Neighbourhoods::of(light, frame.len(), |pixel| Some((frame.place(pixel), frame.seen(pixel)?)));
     let look = |pixel: usize, sure: bool, pixel_count: &PixelCount| {
         let effort = RayEffort { error_factor: 1.0, sure };
-        let lit = frame.seen(pixel).map_or_else(DirectIrradiance::default, |seen| light.direct(seen, effort));
+        let around = neighbourhoods.around(pixel);
+        let direct = |seen: &SeenPlace| light.direct(seen, around, effort);
+        let lit = frame.seen(pixel).map_or_else(DirectIrradiance::default, direct);
         pixel_count.add();
         lit
     };

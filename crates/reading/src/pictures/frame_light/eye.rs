@@ -29,6 +29,19 @@ pub(crate) struct SeenPlace {
 }
 
 impl SeenPlace {
+    /// The place at these parameters of a surface in a scene of this diagonal; None in a hole or under a body.
+    pub(crate) fn at(
+        elements: &Elements,
+        surface: usize,
+        parameters: [f64; 2],
+        diagonal: f64,
+    ) -> Option<Self> {
+        let SurfacePoint { place, element, normal, .. } =
+            SurfacePoint::at(elements, surface, parameters, diagonal)?;
+        let is_open = elements.list()[element].contact.is_none();
+        is_open.then_some(Self { element, place, normal })
+    }
+
     /// The place as a receiver.
     pub(crate) fn receiver_point(&self) -> ReceiverPoint {
         ReceiverPoint::on(self.place.surface, self.place.position, self.normal)

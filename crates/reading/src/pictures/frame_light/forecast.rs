@@ -40,7 +40,7 @@ fn tried(light: &PictureLight, places: usize, seen: &(dyn Fn(usize) -> Option<Se
         .into_par_iter()
         .filter_map(|k| {
             let seen = seen((k * places + places / 2) / TRIAL)?;
-            let direct = light.direct(&seen, RayEffort { error_factor: 1.0, sure: false }).bands;
+            let direct = light.direct(&seen, None, RayEffort { error_factor: 1.0, sure: false }).bands;
             Some((seen, direct))
         })
         .collect();

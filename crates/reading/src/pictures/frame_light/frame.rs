@@ -18,6 +18,16 @@ pub(crate) struct Frame {
     width: usize,
     rows: Range<usize>,
     seen: Vec<Option<SeenPlace>>,
+    spacing: Spacing,
+}
+
+/// Distance of the places beside a place that is seen.
+#[derive(Clone, Copy, Debug)]
+enum Spacing {
+    /// That of pixels at the distance of the place from the eye.
+    Pixels(Pinhole),
+    /// A length (scene length).
+    Texels(f64),
 }
 
 impl Frame {
@@ -28,12 +38,21 @@ impl Frame {
             let (row, column) = ((first + index) / width, (first + index) % width);
             eye.along(&view.ray(column as f64 + 0.5, row as f64 + 0.5))
         });
-        Self { width, rows, seen }
+        Self { width, rows, seen, spacing: Spacing::Pixels(*view) }
     }
 
-    /// The frame of these places, row by row of so many columns.
-    pub(crate) fn of(width: usize, seen: Vec<Option<SeenPlace>>) -> Self {
-        Self { width, rows: 0..seen.len() / width, seen }
+    /// The frame of these places of a surface, row by row of so many columns, `apart` from each other (scene
+    /// length).
+    pub(crate) fn of(width: usize, seen: Vec<Option<SeenPlace>>, apart: f64) -> Self {
+        Self { width, rows: 0..seen.len() / width, seen, spacing: Spacing::Texels(apart) }
+    }
+
+    /// About the distance of the places beside one (scene length); 0 where nothing is seen.
+    pub(crate) fn footprint(&self, pixel: usize) -> f64 {
+        match &self.spacing {
+            Spacing::Pixels(view) => self.seen(pixel).map_or(0.0, |seen| view.footprint(seen.place.position)),
+            Spacing::Texels(apart) => *apart,
+        }
     }
 
     /// Number of pixels.

@@ -4,10 +4,10 @@
 //! min Σ_i w_i (p(d_i) − f_i)² ,     f ≈ p(0) ,     w_i = (1 − (r_i/R)²)² ,
 //! ```
 //!
-//! with d_i the offset in the tangent plane of the place and r_i the distance in the picture; p has the
-//! degree 2 where there are enough values, else 1. Where the places lie on one side p(0) is extrapolated:
-//! a = |Σ w d| / √(Σw Σ w d²), 0 where they lie around it, tells how far. Values may carry errors, which the
-//! fit averages.
+//! with d_i the offset in the tangent plane of the place and r_i the distance in the lattice; p has the degree 2
+//! where there are enough values, else 1. The fit is linear in the values, p(0) = Σ_i c_i f_i, and Λ = Σ_i |c_i|
+//! is the factor by which it amplifies errors: 1 to 1.3 where values lie around the place, more where they lie
+//! on one side and p(0) is extrapolated. Values may carry errors, which the fit averages.
 
 use radiosity_core::dot;
 use smallvec::SmallVec;
@@ -45,10 +45,11 @@ pub(crate) struct FitResult {
     pub residual: f64,
     /// Root mean square of the values' own errors.
     pub noise: f64,
-    /// Share a by which the places lie on one side, at most 1.
-    pub aside: f64,
-    /// Difference from the fit of degree 1, the sum over the bands; None if this one has that degree.
-    pub bend: Option<f64>,
+    /// Factor Λ by which the fit amplifies errors of its values, 1 at the least.
+    pub amplified: f64,
+    /// What polynomials of one degree less say else, the sum over the bands: the difference at the place from the
+    /// fit of degree 1, or the root mean square of what that of degree 0 leaves.
+    pub bend: f64,
 }
 
 impl<'a> Fit<'a> {
@@ -72,12 +73,17 @@ impl<'a> Fit<'a> {
         found
     }
 
-    /// The mean of all values, by their weights; None of none.
-    pub(crate) fn mean(&self) -> Option<Vec<f64>> {
+    /// The mean of all values by their weights over the squares of their distances: that of a value at the place
+    /// itself, if there is one. None of none.
+    pub(crate) fn blend(&self) -> Option<Vec<f64>> {
         let first = self.values.first()?;
-        let all: f64 = self.values.iter().map(|value| value.weight).sum();
-        let mean =
-            |band: usize| self.values.iter().map(|value| value.weight * value.bands[band]).sum::<f64>() / all;
+        let weight = |value: &FitValue| {
+            value.weight / (value.at[0].powi(2) + value.at[1].powi(2)).max(f64::MIN_POSITIVE)
+        };
+        let all: f64 = self.values.iter().map(weight).sum();
+        let mean = |band: usize| {
+            self.values.iter().map(|value| weight(value) / all * value.bands[band]).sum::<f64>()
+        };
         Some((0..first.bands.len()).map(mean).collect())
     }
 
@@ -103,11 +109,14 @@ impl<'a> Fit<'a> {
             let found = factor.forward(side);
             let of_degree = |terms: usize| dot(&unit[..terms], &found[..terms]);
             value.push(of_degree(terms));
-            bend += (of_degree(terms) - of_degree(LINEAR)).abs();
+            bend += match terms {
+                QUADRATIC => (of_degree(terms) - of_degree(LINEAR)).abs(),
+                _ => ((squares - found[0] * found[0]).max(0.0) / all).sqrt(),
+            };
             residual += ((squares - dot(&found[..terms], &found[..terms])).max(0.0) / all).sqrt();
         }
-        let bend = (terms == QUADRATIC).then_some(bend);
-        Some(FitResult { value, residual, noise, aside: self.aside(), bend })
+        let amplified = self.amplified(&rows, &factor.backward(&unit, terms)[..terms]);
+        Some(FitResult { value, residual, noise, amplified, bend })
     }
 
     /// Σ w, and the root mean square of the errors.
@@ -117,17 +126,10 @@ impl<'a> Fit<'a> {
         (all, (squares / all).sqrt())
     }
 
-    /// The share a by which the places lie on one side, at most 1.
-    fn aside(&self) -> f64 {
-        let (mut all, mut x, mut y, mut squares) = (0.0, 0.0, 0.0, 0.0);
-        for value in &self.values {
-            let FitValue { at, weight, .. } = value;
-            all += weight;
-            x += weight * at[0];
-            y += weight * at[1];
-            squares += weight * (at[0] * at[0] + at[1] * at[1]);
-        }
-        x.hypot(y) / (all * squares).sqrt()
+    /// Λ = Σ_i |w_i row_i · M⁻¹ e₀|, of the given M⁻¹ e₀.
+    fn amplified(&self, rows: &[[f64; QUADRATIC]], inverse: &[f64]) -> f64 {
+        let each = self.values.iter().zip(rows);
+        each.map(|(value, row)| (value.weight * dot(&row[..inverse.len()], inverse)).abs()).sum()
     }
 
     /// The terms of the polynomial at each place, which are at most 1.
@@ -198,6 +200,16 @@ impl PartialCholesky {
         }
         b
     }
+
+    /// x with Lᵀ x = y, of so many leading rows.
+    fn backward(&self, y: &[f64; QUADRATIC], terms: usize) -> [f64; QUADRATIC] {
+        let mut x = *y;
+        for i in (0..terms).rev() {
+            let known: f64 = (i + 1..terms).map(|k| self.rows[k][i] * x[k]).sum();
+            x[i] = (x[i] - known) / self.rows[i][i];
+        }
+        x
+    }
 }
 
 #[cfg(test)]
@@ -230,24 +242,23 @@ mod tests {
         let quadratic = fit(9, |[x, y]| 2.0 + 3.0 * x - y + 0.3 * x * x - x * y).expect("nine places");
         // Squares are subtracted: half of the digits remain.
         assert!((quadratic.value[0] - 2.0).abs() < 1e-12 && quadratic.residual < 1e-6);
-        assert!(quadratic.bend.expect("degree 2") > 0.1 && (quadratic.noise - 0.1).abs() < 1e-12);
+        assert!(quadratic.bend > 0.1 && (quadratic.noise - 0.1).abs() < 1e-12);
         let linear = fit(4, |[x, y]| 2.0 + 3.0 * x - y).expect("four places");
         assert!((linear.value[0] - 2.0).abs() < 1e-12 && linear.residual < 1e-6);
-        assert!(linear.bend.is_none(), "nothing is known of it");
-        assert!(linear.aside < 0.3, "{}", linear.aside);
+        assert!(linear.bend > 1.0 && linear.amplified < 1.5, "{linear:?}");
         assert!(fit(9, |[x, _]| if x > 0.5 { 1.0 } else { 0.0 }).expect("nine").residual > 0.1);
     }
 
     #[test]
     fn places_on_a_line_or_too_few_are_refused() {
         let mut fit = Fit::new();
-        assert!(fit.mean().is_none());
+        assert!(fit.blend().is_none());
         for k in 0..9 {
             assert!(fit.found().is_none());
             fit.take([f64::from(k), 2.0 * f64::from(k)], 1.0, &[1.0], 0.0);
         }
         assert!(fit.found().is_none());
-        assert_eq!(fit.mean(), Some(vec![1.0]));
+        assert_eq!(fit.blend(), Some(vec![1.0]));
         assert_eq!(fit.within(vec![1.2]), vec![1.0]);
     }
 }
