@@ -8,7 +8,7 @@
 
 use std::sync::Arc;
 
-use radiosity_geom::{Aabb, Bvh, DVec3, Ray, RayTree, Rect, Surface};
+use radiosity_geom::{Aabb, Bvh, DVec3, Ray, RayTree, Rect, Surface, layer_order};
 use radiosity_scene::Scene;
 
 use crate::spread::SpreadPoint;
@@ -41,7 +41,7 @@ const SAME_PLACE: f64 = 1e-9;
 /// The surfaces of a scene, for rays.
 #[derive(Debug)]
 pub(crate) struct Rays {
-    /// Surfaces in ascending order of areas: of those that are met at once the first counts.
+    /// Upper surfaces first ([`layer_order`]): of those that are met at once the first counts.
     tree: RayTree,
     /// Index in the scene by place in the tree.
     order: Vec<usize>,
@@ -85,7 +85,7 @@ impl Rays {
             scene.surfaces.iter().map(|surface| Arc::clone(&surface.shape)).collect();
         let areas: Vec<f64> = shapes.iter().map(|shape| shape.area()).collect();
         let mut order: Vec<usize> = (0..shapes.len()).collect();
-        order.sort_by(|a, b| areas[*a].total_cmp(&areas[*b]).then(a.cmp(b)));
+        order.sort_by(|a, b| layer_order(areas[*b], areas[*a]).then(a.cmp(b)));
         let tree = RayTree::new(order.iter().map(|k| Arc::clone(&shapes[*k])).collect());
         let boxes: Vec<Aabb> = shapes.iter().map(|shape| shape.bounds(&Rect::FULL)).collect();
         let bounds = boxes.iter().copied().fold(Aabb::EMPTY, Aabb::union);
@@ -229,7 +229,7 @@ impl Rays {
             let normal = self.normals[*other].unwrap_or_else(|| self.shapes[*other].jet(hit.u, hit.v).normal);
             let is_coplanar = height.abs() <= COPLANAR * reach;
             match is_coplanar && normal.dot(place.normal) > 0.0 {
-                true => self.areas[*other] < self.areas[place.surface],
+                true => layer_order(self.areas[*other], self.areas[place.surface]).is_gt(),
                 false => height >= -COPLANAR * reach,
             }
         };

@@ -20,7 +20,7 @@
 //! does not change from the face to small heights over it.
 
 use radiosity_elements::Elements;
-use radiosity_geom::{Aabb, DVec3, Jet, Surface, touching};
+use radiosity_geom::{Aabb, DVec3, Jet, Surface, layer_order, touching};
 use radiosity_light::receiver_point::ReceiverPoint;
 use radiosity_visibility::Visibility;
 
@@ -179,8 +179,8 @@ impl<'a> Stack<'a> {
             face.normal.dot(self.up) > 0.0 && face.height(self.top.foot, self.up) >= -rounding
         };
         let area = |face: &Touched| elements.shape(face.surface).area();
-        let smaller = |a: &&&Touched, b: &&&Touched| area(a).total_cmp(&area(b));
-        self.faces.iter().filter(is_front).min_by(smaller)?.point(elements, self.touched, diagonal)
+        let upper = |a: &&&Touched, b: &&&Touched| layer_order(area(b), area(a));
+        self.faces.iter().filter(is_front).min_by(upper)?.point(elements, self.touched, diagonal)
     }
 }
 
