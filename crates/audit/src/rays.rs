@@ -3,12 +3,13 @@
 //! A walk leaves a surface from just before the side that it leaves by, farther off than roundings reach: by
 //! 10⁻¹² of the largest coordinate where the surface is flat, by 10⁻⁷ of its size where it is curved. A point
 //! that is read, and lies within 10⁻⁶ of a surface's size of it, lies on it, and is read just before the uppermost
-//! of such surfaces on its side; surfaces larger than nine tenths of all count as no larger. Of coplanar faces of
-//! one direction the smaller lies on the larger.
+//! of such surfaces on its side; surfaces larger than nine tenths of all count as no larger. What lies farther than
+//! roundings before it and shows it the front of a sheet of one side is not one of these. Of coplanar faces of one
+//! direction the smaller lies on the larger.
 
 use std::sync::Arc;
 
-use radiosity_geom::{Aabb, Bvh, DVec3, Ray, RayTree, Rect, Surface};
+use radiosity_geom::{Aabb, Bvh, DVec3, Ray, RayTree, Rect, Surface, layer_order};
 use radiosity_scene::Scene;
 
 use crate::spread::SpreadPoint;
@@ -26,6 +27,10 @@ const USUAL: f64 = 0.9;
 /// Distance from a surface over its size within which a point that is read lies on it: as readings are typed.
 const ON_SURFACE: f64 = 1e-6;
 
+/// Distance before the front of a sheet of one side over the scene's size from which on a point that is read along
+/// a normal towards it sees it: farther than sheets in one plane are set apart.
+const SEEN: f64 = 2e-7;
+
 /// Distance from a surface over its size within which other faces cover it or touch it.
 const TOUCHING: f64 = 2e-7;
 
@@ -41,7 +46,7 @@ const SAME_PLACE: f64 = 1e-9;
 /// The surfaces of a scene, for rays.
 #[derive(Debug)]
 pub(crate) struct Rays {
-    /// Surfaces in ascending order of areas: of those that are met at once the first counts.
+    /// Upper surfaces first ([`layer_order`]): of those that are met at once the first counts.
     tree: RayTree,
     /// Index in the scene by place in the tree.
     order: Vec<usize>,
@@ -55,6 +60,8 @@ pub(crate) struct Rays {
     sizes: Vec<f64>,
     /// Size that nine tenths of the surfaces do not exceed.
     usual_size: f64,
+    /// Distance from which on a point sees what it is before (scene length).
+    seen_from: f64,
     /// Distance before flat surfaces from which walks leave them (scene length).
     before_flat: f64,
 }
@@ -71,6 +78,16 @@ pub(crate) struct Place {
     pub(crate) normal: DVec3,
 }
 
+/// A surface that a line through a point that is read crosses.
+struct Crossed {
+    /// Height over the point along its normal (scene length).
+    height: f64,
+    /// Whether the point sees it.
+    is_seen: bool,
+    /// Distance before it from which walks leave it (scene length).
+    before: f64,
+}
+
 impl Place {
     /// A point that is spread over a surface.
     pub(crate) fn on(surface: usize, on: &SpreadPoint) -> Self {
@@ -85,7 +102,7 @@ impl Rays {
             scene.surfaces.iter().map(|surface| Arc::clone(&surface.shape)).collect();
         let areas: Vec<f64> = shapes.iter().map(|shape| shape.area()).collect();
         let mut order: Vec<usize> = (0..shapes.len()).collect();
-        order.sort_by(|a, b| areas[*a].total_cmp(&areas[*b]).then(a.cmp(b)));
+        order.sort_by(|a, b| layer_order(areas[*b], areas[*a]).then(a.cmp(b)));
         let tree = RayTree::new(order.iter().map(|k| Arc::clone(&shapes[*k])).collect());
         let boxes: Vec<Aabb> = shapes.iter().map(|shape| shape.bounds(&Rect::FULL)).collect();
         let bounds = boxes.iter().copied().fold(Aabb::EMPTY, Aabb::union);
@@ -100,6 +117,7 @@ impl Rays {
             boxes: Bvh::build(&boxes),
             before_flat: BEFORE_FLAT * bounds.min.abs().max(bounds.max.abs()).max_element(),
             usual_size: usual(&sizes),
+            seen_from: SEEN * bounds.diagonal(),
             sizes,
         }
     }
@@ -148,15 +166,27 @@ impl Rays {
             let near = ON_SURFACE * self.sizes[surface].min(self.usual_size);
             let across = Ray::segment(point + near * normal, point - near * normal);
             let hit = self.shapes[surface].intersect(&across)?;
-            Some((1.0 - 2.0 * hit.t) * near + self.before(surface))
+            let front = self.normal(surface, [hit.u, hit.v]).dot(normal);
+            let height = (1.0 - 2.0 * hit.t) * near;
+            let is_seen = self.other_sides[surface].is_none() && height * -front > self.seen_from;
+            Some(Crossed { height, is_seen, before: self.before(surface) })
         };
         let near = self.boxes.near(&around);
         let is_on = |surface: &usize| self.distance(*surface, point) <= ON_SURFACE * self.usual_size;
         if !near.iter().any(is_on) {
             return point;
         }
-        let heights = near.into_iter().filter_map(height);
-        point + heights.fold(BEFORE_CURVED * self.usual_size, f64::max) * normal
+        let crossed: Vec<Crossed> = near.into_iter().filter_map(height).collect();
+        let seen = crossed.iter().filter(|other| other.is_seen).map(|other| other.height);
+        let seen = seen.fold(f64::INFINITY, f64::min);
+        let heights =
+            crossed.iter().filter(|other| other.height < seen).map(|other| other.height + other.before);
+        point + heights.fold(BEFORE_CURVED * self.usual_size, f64::max).min(0.5 * seen) * normal
+    }
+
+    /// Unit normal of a front.
+    fn normal(&self, surface: usize, [u, v]: [f64; 2]) -> DVec3 {
+        self.normals[surface].unwrap_or_else(|| self.shapes[surface].jet(u, v).normal)
     }
 
     /// Distance of a point from a surface that it is close to.
@@ -226,10 +256,10 @@ impl Rays {
             }
             let Some(hit) = self.shapes[*other].intersect(&across) else { return false };
             let height = (1.0 - 2.0 * hit.t) * reach;
-            let normal = self.normals[*other].unwrap_or_else(|| self.shapes[*other].jet(hit.u, hit.v).normal);
+            let normal = self.normal(*other, [hit.u, hit.v]);
             let is_coplanar = height.abs() <= COPLANAR * reach;
             match is_coplanar && normal.dot(place.normal) > 0.0 {
-                true => self.areas[*other] < self.areas[place.surface],
+                true => layer_order(self.areas[*other], self.areas[place.surface]).is_gt(),
                 false => height >= -COPLANAR * reach,
             }
         };

@@ -15,10 +15,9 @@ use std::cmp::Ordering;
 use std::collections::HashMap;
 use std::sync::Arc;
 
-use radiosity_geom::{Aabb, Bvh, DVec3, touching};
+use radiosity_geom::{Aabb, Bvh, DVec3, SAME_AREA, touching};
 
 use crate::bodies::{self, Beside};
-use crate::tolerances::SAME_AREA;
 use crate::{coincident::Occupied, gap};
 
 pub use sheet::{Sheet, are_sides_of_one};

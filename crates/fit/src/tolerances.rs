@@ -1,11 +1,6 @@
 //! Tolerances of sheets that were meant to be one, or to lie on each other. Lengths that count as none, and which
 //! planes are one, are set by [`radiosity_geom`].
 
-/// Part by which areas that are equal within rounding may differ: copies of a sheet, and a part against the
-/// whole. Rounding in single precision leaves some 10⁻⁷. With a larger value a sheet would count as within
-/// another that it stands out of; with a smaller one rounded copies would count as different.
-pub const SAME_AREA: f64 = 1e-6;
-
 /// Least common part of two sheets that lie on each other, or in front of each other, over the smaller area:
 /// edges that touch share less by rounding. With a larger value a narrow strip that is shared would not
 /// count.

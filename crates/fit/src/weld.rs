@@ -21,6 +21,7 @@ mod forest;
 mod tolerance;
 mod sheet;
 mod apart;
+mod layers;
 mod corners;
 mod planes;
 mod flatten;
@@ -187,6 +188,23 @@ mod tests {
             .collect();
         let sum: f64 = squares.values().sum();
         assert!(sum <= 3.0 * off * off * (1.0 + 1e-6), "{sum:e} {moved:?}");
+    }
+
+    #[test]
+    fn plates_on_each_other_keep_their_order_where_the_outer_ones_are_side_by_side() {
+        let plate = |x: f64, z: f64| {
+            let corners = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
+            corners.map(|[along, across]| DVec3::new(x + along, across, z)).to_vec()
+        };
+        for heights in [[0.0, 4e-8, 8e-8], [8e-8, 4e-8, 0.0]] {
+            let typed: Vec<Vec<DVec3>> =
+                [0.0, 0.5, 1.001].into_iter().zip(heights).map(|(x, z)| plate(x, z)).collect();
+            let (found, moved) = welded(&typed, None);
+            assert_eq!((found, moved), (typed, Welded::default()));
+        }
+        // Without the one between them the outer ones share a plane.
+        let (_, moved) = welded(&[plate(0.0, 0.0), plate(1.001, 8e-8)], None);
+        assert_eq!(moved.corners, 8);
     }
 
     #[test]

@@ -5,6 +5,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use radiosity_audit::Spot;
 use radiosity_geom::DVec3;
 use radiosity_scene::{Scene, SensorPlane};
+use radiosity_solve::gather::lune::Lune;
 use radiosity_solve::gather::read_irradiance::{Deviation, ReadIrradiance};
 use radiosity_solve::gather::standpoint::Standpoint;
 use radiosity_solve::gather::surface_point::SurfacePoint;
@@ -147,8 +148,11 @@ fn read(reader: &Reader, probe: &Probe, middle: DVec3) -> Result<ProbeValues, Pr
         }
         Some(point) if reader.gathers() && point.normal.dot(normal) < EQUAL_NORMAL => {
             let on = on(reader, point, &along_surface(point).irradiance);
-            let above = reader.gathered(&point.receiver_point(normal)).ok_or(ProbeFault::Tilted)?;
-            (above.with(&point.own_light(reader.solution(), normal, &on.radiosity)), Some(on))
+            let receiver = point.receiver_point(normal);
+            let above = reader.gathered(&receiver).ok_or(ProbeFault::Tilted)?;
+            let below =
+                Lune::of(&receiver, elements).map(|lune| lune.light(reader.solution(), &on.radiosity));
+            (above.with(&below.unwrap_or_default()), Some(on))
         }
         Some(point) if point.normal.dot(normal) < SAME_NORMAL => return Err(ProbeFault::Tilted),
         Some(point) => {

@@ -13,6 +13,7 @@
 //! Reference: I. H. Sloan, *Improvement by iteration for compact operator equations*, Math. Comp. 30 (1976).
 
 pub mod surface_point;
+pub mod lune;
 pub mod standpoint;
 pub(crate) mod walks;
 pub mod read_irradiance;

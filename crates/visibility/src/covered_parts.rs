@@ -18,8 +18,8 @@ use std::collections::HashMap;
 use radiosity_fit::gap::closed;
 use radiosity_fit::tolerances::SHARED_AREA;
 use radiosity_geom::{
-    Aabb, Bvh, DVec3, PARALLEL_PLANES, PlanarRegion, ROUNDING, difference, polygon_area, polygon_width,
-    touching,
+    Aabb, Bvh, DVec3, PARALLEL_PLANES, PlanarRegion, ROUNDING, difference, layer_order, polygon_area,
+    polygon_width, touching,
 };
 use radiosity_scene::Scene;
 use radiosity_work::interruption::check_interrupt;
@@ -170,7 +170,11 @@ impl<'a> Sheets<'a> {
         let is_parallel = region.normal().cross(other.normal()).length() < PARALLEL_PLANES;
         let mutual = region.normal().dot(other.normal()) < 0.0;
         // A contact of two fronts is found once, from the larger surface.
-        let is_turned = || (size(region), under).partial_cmp(&(size(other), over)) == Some(Ordering::Less);
+        let is_turned = || {
+            let order = layer_order(other.area(), region.area());
+            let places = || (middle(region), under).partial_cmp(&(middle(other), over));
+            order.then_with(|| places().unwrap_or(Ordering::Equal)).is_lt()
+        };
         if under == over || !is_parallel || mutual && is_turned() {
             return None;
         }
@@ -238,10 +242,9 @@ impl Finder<'_> {
     }
 }
 
-/// Area and mean corner, which order two sheets independently of their places in the list.
-fn size(region: &PlanarRegion) -> [f64; 4] {
-    let [x, y, z] = (region.outer().iter().sum::<DVec3>() / region.outer().len() as f64).to_array();
-    [region.area(), x, y, z]
+/// Mean corner, which orders two sheets of one area independently of their places in the list.
+fn middle(region: &PlanarRegion) -> [f64; 3] {
+    (region.outer().iter().sum::<DVec3>() / region.outer().len() as f64).to_array()
 }
 
 /// The largest height of the sheet `over` above the front of `under`; None where a corner is not in front.

@@ -168,3 +168,35 @@ polygon = { vertices = [[1, 1, 0.75], [3, 1, 0.75], [3, 2.5, 0.75], [1, 2.5, 0.7
 fn sensors_beside_rims_receive_what_the_room_sends() {
     assert_fair(&quotients(&rims(), WALKS, 1100));
 }
+
+/// A black room with a large lamp of one side at a table's height, and sensors just over it that look at it.
+fn faced() -> Vec<Trial> {
+    let scene = typed(&format!(
+        r#"
+bands = ["lm"]
+materials.black = {{ reflectance = 0 }}
+materials.glow = {{ reflectance = 0, emission = {EXITANCE:?} }}
+[[surfaces]]
+name = "room"
+material = "black"
+box = {{ origin = [0, 0, 0], size = [4, 4, 3], inward = true }}
+[[surfaces]]
+name = "lamp"
+material = "glow"
+parallelogram = {{ origin = [0.5, 0.5, 1], edge1 = [3, 0, 0], edge2 = [0, 3, 0] }}"#
+    ));
+    let mut trial = Trial::of("faced", scene);
+    for height in [1e-4, 1e-5, 3e-6, 1.5e-6] {
+        let position = DVec3::new(1.9, 2.1, 1.0 + height);
+        for normal in [-DVec3::Z, DVec3::new(0.6, 0.0, -0.8)] {
+            // The lamp fills all below the sensor's horizon, where it looks at it.
+            trial = trial.point(position, normal, EXITANCE * 0.5 * (1.0 - normal.z));
+        }
+    }
+    vec![trial]
+}
+
+#[test]
+fn sensors_see_what_they_face_from_close_by() {
+    assert_fair(&quotients(&faced(), WALKS, 1300));
+}

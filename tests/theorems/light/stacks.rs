@@ -19,7 +19,7 @@ use radiosity::reading::reader::{ReadMode, Reader};
 use radiosity::solve::gather::gather_method::GatherMethod;
 use radiosity::{Options, Scene, SceneBuilder, Work};
 use radiosity_test_support::random::Random;
-use radiosity_test_support::scenes::material;
+use radiosity_test_support::scenes::{material, typed};
 use radiosity_test_support::solved::solved_of;
 
 const HALF: DVec3 = DVec3::new(2.0, 1.8, 1.5);
@@ -422,6 +422,51 @@ fn mats_in_the_plane_of_a_floor_reflect_in_any_order() {
                     "{order:?} {by:?}: {read} at {:?}",
                     reading.probe
                 );
+            }
+        }
+    }
+}
+
+/// Readings of sensors, upright and tilted, at these y before a sheet or a pane to a sky that they look at, in a room.
+fn before(sky: &str, what: &str, heights: &[f64]) -> Vec<f64> {
+    let scene = typed(&format!(
+        r#"
+bands = ["lm"]
+{sky}
+materials.wall = {{ reflectance = 0.5 }}
+materials.glow = {{ reflectance = 0.2, emission = 3000 }}
+[[surfaces]]
+name = "room"
+material = "wall"
+box = {{ origin = [-2, -1, -1], size = [4, 4, 3], inward = true }}
+[[surfaces]]
+name = "faced"
+{what}"#
+    ));
+    let middle = scene.middle;
+    let solved = solved_of(scene, Options::default());
+    let place = |height: f64| DVec3::new(0.1, height, 0.2);
+    let normals = [-DVec3::Y, DVec3::new(0.6, -0.8, 0.0)];
+    let at = |height: &f64| normals.map(|normal| Probe { position: place(*height), normal });
+    let probes: Vec<Probe> = heights.iter().flat_map(at).collect();
+    let by = GatherMethod::Cells;
+    let reader = Reader::by(by, &solved.outcome.solution, solved.visibility(), ReadMode::Gather, EPS);
+    let readings = probe(&reader, &probes, middle, &Work::alone()).expect("all light is gathered");
+    readings.iter().map(|reading| reading.irradiance[0]).collect()
+}
+
+#[test]
+fn sensors_close_to_what_they_face_read_what_those_farther_off_do() {
+    let sheet = "material = \"glow\"\nparallelogram = { origin = [-1, 0, -0.5], edge1 = [0, 0, 1], edge2 = [2, 0, 0] }";
+    let pane = "material = \"wall\"\nglass = { panes = 1 }\n\
+        parallelogram = { origin = [-1, -1, -0.5], edge1 = [0, 0, 1], edge2 = [2, 0, 0] }";
+    let heights = [1e-4, 1e-5, 4e-6, 1.5e-6];
+    let sky = "sky = { model = \"overcast\", illuminance = 10000, ground = 0.2 }";
+    for (sky, what, level) in [("", sheet, 0.0), (sky, pane, -1.0)] {
+        let read = before(sky, what, &heights.map(|height| level + height));
+        for pair in read.chunks(2).skip(1) {
+            for (near, far) in pair.iter().zip(&read[..2]) {
+                assert!(*far > 100.0 && (near / far - 1.0).abs() < 0.01, "{what}: {read:?}");
             }
         }
     }

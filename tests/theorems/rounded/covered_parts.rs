@@ -101,26 +101,43 @@ proptest! {
         places in prop::collection::vec((0.8f64..2.0, 0.8f64..1.6, 0.2f64..1.0, 0.2f64..1.0), 1..4),
         angle in 0.0f64..0.3,
     ) {
-        let layer = |(k, (x, y, a, b)): (usize, &(f64, f64, f64, f64))| {
-            let z = 3e-8 * (k + 1) as f64;
-            plate(&format!("plate-{k}"), &[[*x, *y, z], [x + a, *y, z], [x + a, y + b, z], [*x, y + b, z]])
-        };
-        let plates = places.iter().enumerate().map(layer).collect();
-        let sheets = [room(), turned(plates, [2.0, 1.7], angle)].concat();
-        let scene = built(&sheets);
-        let elements = elements_of(&scene, 0, 1);
-        for (index, surface) in scene.surfaces.iter().enumerate() {
-            let whole = surface.shape.region().expect("flat").area();
-            let sum: f64 = elements.of_surface(index).map(|k| elements.list()[k].area).sum();
-            prop_assert!((sum / whole - 1.0).abs() < 1e-6, "{}: {sum} of {whole}", surface.name);
-        }
-        for cover in CoveredParts::new(&scene).list() {
-            let area: f64 = cover.pieces.iter().map(|piece| polygon_area(piece)).sum();
-            prop_assert!(area > 0.0);
-        }
-        let sums = factors(&scene).row_sums();
-        prop_assert!(sums.iter().all(|sum| (sum - 1.0).abs() < 3e-3), "{sums:?}");
+        assert_made_up(&places.iter().map(|(x, y, a, b)| [*x, *y, *a, *b]).collect::<Vec<_>>(), angle);
     }
+}
+
+/// The first and the last plate are side by side, each partly in front of the other side of the second.
+#[test]
+fn parts_and_rest_make_up_plates_side_by_side() {
+    let places = [
+        [1.78043561518243, 0.8, 0.2, 0.921257800087161],
+        [0.8852286448933901, 1.198328411360143, 0.9206858596520442, 0.6485500713991791],
+        [1.4638560362062019, 1.4303124459930716, 0.27641522154320405, 0.2],
+    ];
+    assert_made_up(&places, 0.2732955866490863);
+}
+
+/// Parts and rest make up each surface of a room with plates of two sides on its floor, each a little higher than the
+/// one before it, by their lower corners and sides; all turned by an angle.
+fn assert_made_up(places: &[[f64; 4]], angle: f64) {
+    let layer = |(k, [x, y, a, b]): (usize, &[f64; 4])| {
+        let z = 3e-8 * (k + 1) as f64;
+        plate(&format!("plate-{k}"), &[[*x, *y, z], [x + a, *y, z], [x + a, y + b, z], [*x, y + b, z]])
+    };
+    let plates = places.iter().enumerate().map(layer).collect();
+    let sheets = [room(), turned(plates, [2.0, 1.7], angle)].concat();
+    let scene = built(&sheets);
+    let elements = elements_of(&scene, 0, 1);
+    for (index, surface) in scene.surfaces.iter().enumerate() {
+        let whole = surface.shape.region().expect("flat").area();
+        let sum: f64 = elements.of_surface(index).map(|k| elements.list()[k].area).sum();
+        assert!((sum / whole - 1.0).abs() < 1e-6, "{}: {sum} of {whole}", surface.name);
+    }
+    for cover in CoveredParts::new(&scene).list() {
+        let area: f64 = cover.pieces.iter().map(|piece| polygon_area(piece)).sum();
+        assert!(area > 0.0);
+    }
+    let sums = factors(&scene).row_sums();
+    assert!(sums.iter().all(|sum| (sum - 1.0).abs() < 3e-3), "{sums:?}");
 }
 
 /// Boxes in rows on one floor: each bottom covers its base, and the floor keeps its area.

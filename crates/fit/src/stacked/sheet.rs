@@ -3,9 +3,7 @@
 use std::cmp::Ordering;
 use std::sync::Arc;
 
-use radiosity_geom::{DVec3, PlanarRegion, Surface};
-
-use crate::tolerances::SAME_AREA;
+use radiosity_geom::{DVec3, PlanarRegion, Surface, layer_order};
 
 /// A flat sheet that may lie on others.
 #[derive(Clone, Debug)]
@@ -44,19 +42,18 @@ impl Sheet {
         self.region().map_or(0.0, PlanarRegion::extent)
     }
 
-    /// The order of two sheets that coincide: the smaller lies on the larger; of equal ones the one whose
-    /// typed middle, or else normal, comes later.
-    fn rank(&self) -> [f64; 7] {
+    /// Typed middle and normal: of equal sheets that coincide the one with the later lies on the other.
+    fn rank(&self) -> [f64; 6] {
         let corners = self.typed.corners();
         let middle = corners.iter().sum::<DVec3>() / corners.len() as f64;
-        let steps = -(self.area().log2() / SAME_AREA).round();
         let [a, b] = [middle, self.normal()].map(|x| x.to_array());
-        [steps, a[0], a[1], a[2], b[0], b[1], b[2]]
+        [a[0], a[1], a[2], b[0], b[1], b[2]]
     }
 
+    /// The order of two sheets that coincide, lower ones first.
     pub(super) fn order(&self, other: &Sheet) -> Ordering {
         let pairs = self.rank().into_iter().zip(other.rank());
-        pairs.fold(Ordering::Equal, |order, (a, b)| order.then(a.total_cmp(&b)))
+        pairs.fold(layer_order(self.area(), other.area()), |order, (a, b)| order.then(a.total_cmp(&b)))
     }
 
     /// Mean height of its typed corners over another sheet (scene length).

@@ -10,6 +10,7 @@ use radiosity_geom::{Aabb, DVec3};
 use super::apart::Apart;
 use super::corners::Corners;
 use super::forest::Forest;
+use super::layers::Layers;
 use super::sheet::Sheets;
 
 /// The planes of a scene.
@@ -48,6 +49,7 @@ impl Planes {
 /// A forest whose trees are the sheets that share a plane.
 fn shared(sheets: &Sheets, apart: &Apart) -> Forest {
     let mut shared = Forest::new(sheets.list.len());
+    let mut layers = Layers::of(sheets, apart);
     for (own, sheet) in sheets.list.iter().enumerate() {
         let Some(region) = &sheet.region else { continue };
         for other in sheets.near(sheet.bounds()) {
@@ -57,7 +59,7 @@ fn shared(sheets: &Sheets, apart: &Apart) -> Forest {
             }
             let [low, high] = over.heights_over(region);
             if low.abs().max(high.abs()) <= sheet.tolerance.with(&over.tolerance) {
-                shared.join(own, other);
+                layers.join(&mut shared, own, other);
             }
         }
     }

@@ -5,7 +5,7 @@
 //! `radiosity` sets them apart by the bodies behind them.
 
 use radiosity_fit::outline::tolerance;
-use radiosity_fit::tolerances::SAME_AREA;
+use radiosity_geom::SAME_AREA;
 
 use crate::model::Model;
 use crate::repair::copies::Copies;

@@ -9,6 +9,7 @@ use std::collections::BTreeMap;
 
 use glam::DVec3;
 use radiosity_fit::stacked::are_sides_of_one;
+use radiosity_geom::layer_order;
 
 use crate::model::{Model, Shape, Sides};
 use crate::repair::edit::Edit;
@@ -120,9 +121,9 @@ fn moves(
     by.into_iter().map(|(index, by)| (sheets.list[index].surface, by)).collect()
 }
 
-/// Smaller faces first; of equal ones the later.
+/// Upper faces first; of equal ones the later.
 fn order(a: &Sheet, b: &Sheet) -> Ordering {
-    a.area.total_cmp(&b.area).then(b.surface.cmp(&a.surface))
+    layer_order(b.area, a.area).then(b.surface.cmp(&a.surface))
 }
 
 #[cfg(test)]

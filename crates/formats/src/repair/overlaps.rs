@@ -9,7 +9,7 @@ use std::collections::BTreeMap;
 
 use radiosity_fit::overlay::{Part, enclosed, without};
 use radiosity_fit::stacked::are_sides_of_one;
-use radiosity_fit::tolerances::SAME_AREA;
+use radiosity_geom::{SAME_AREA, layer_order};
 
 use crate::model::{Model, Shape, Sides};
 use crate::repair::edit::{Edit, Told};
@@ -112,7 +112,7 @@ impl Pair<'_> {
             return None;
         }
         // Of equal ones the later lies on the earlier.
-        let [small, large] = match second.area <= (1.0 + SAME_AREA) * first.area {
+        let [small, large] = match layer_order(second.area, first.area).is_ge() {
             true => [self.pair[1], self.pair[0]],
             false => self.pair,
         };

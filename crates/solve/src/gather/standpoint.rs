@@ -14,13 +14,15 @@
 //! there ([`SurfacePoint`]): coordinates that are typed are rounded. Where the uppermost is a back, of a face of
 //! one side, the sensor stands just before it in the open. Where it looks along all faces that it touches, it stands
 //! on the first of them that reaches on before it, and else, as on the edge of a sheet, a little before the point.
+//! A face of one side that it looks at from a little before it, more than coordinates are rounded by, is seen and
+//! not stood on, nor is what lies behind that face.
 //!
 //! A sensor that is tilted against its face sees what it would see just above it: nothing through the face, but
 //! the face itself, below the horizon of which it has the part (1 − cos θ)/2 of its hemisphere. So what is read
 //! does not change from the face to small heights over it.
 
 use radiosity_elements::Elements;
-use radiosity_geom::{Aabb, DVec3, Jet, Surface, touching};
+use radiosity_geom::{Aabb, DVec3, Jet, Surface, layer_order, touching};
 use radiosity_light::receiver_point::ReceiverPoint;
 use radiosity_visibility::Visibility;
 
@@ -37,6 +39,10 @@ const ALIKE: f64 = 0.9999;
 /// digits.
 const ALONG: f64 = 1e-4;
 
+/// Part of the scene's diagonal from which on a sensor before a face that it looks at sees it: more than sheets in
+/// one plane are set apart by, as otherwise a sensor on a sheet would see one that lies on it face down.
+const SEEN: f64 = 2e-7;
+
 /// Where a sensor stands.
 #[derive(Clone, Copy, Debug)]
 pub enum Standpoint {
@@ -50,7 +56,7 @@ impl Standpoint {
     /// The standpoint of a sensor at the point `x` with the unit normal `n`.
     pub fn find(elements: &Elements, visibility: &Visibility, x: DVec3, n: DVec3) -> Self {
         let diagonal = visibility.bounds().diagonal();
-        let touched = touched(elements, visibility, x);
+        let touched = without_seen(touched(elements, visibility, x), x, n, diagonal);
         if touched.is_empty() {
             return Self::Open(ReceiverPoint::free(x, n));
         }
@@ -106,6 +112,16 @@ impl Touched {
         (self.foot - x).dot(up)
     }
 
+    /// Height of `x` over the front (scene length).
+    fn distance(&self, x: DVec3) -> f64 {
+        (x - self.foot).dot(self.normal)
+    }
+
+    /// Whether another face is the other side of this one.
+    fn is_backed_by(&self, other: &Self, rounding: f64) -> bool {
+        other.normal.dot(self.normal) <= -ALIKE && other.foot.distance(self.foot) <= rounding
+    }
+
     /// Whether the foot of `x` is no farther than `step` behind it, along the unit vector `n`.
     fn reaches(&self, elements: &Elements, x: DVec3, step: f64, n: DVec3) -> bool {
         let (_, foot) = foot(elements.shape(self.surface), x);
@@ -134,6 +150,20 @@ fn touched(elements: &Elements, visibility: &Visibility, x: DVec3) -> Vec<Touche
     };
     let around = Aabb { min: x, max: x }.inflate(tolerance);
     visibility.near(&around).into_iter().filter_map(face).collect()
+}
+
+/// The faces without those that a sensor at `x` with the unit normal `n` sees, and what lies behind these, in a scene
+/// of this diagonal.
+fn without_seen(touched: Vec<Touched>, x: DVec3, n: DVec3, diagonal: f64) -> Vec<Touched> {
+    let rounding = touching(0.0, diagonal);
+    let is_seen = |face: &&Touched| {
+        let is_faced = face.normal.dot(n) < -ALONG && face.distance(x) > SEEN * diagonal;
+        is_faced && !touched.iter().any(|other| face.is_backed_by(other, rounding))
+    };
+    let nearer = |a: &&Touched, b: &&Touched| a.distance(x).total_cmp(&b.distance(x));
+    let Some(seen) = touched.iter().filter(is_seen).min_by(nearer).copied() else { return touched };
+    let is_before = |face: &Touched| (x - face.foot).dot(seen.normal) < seen.distance(x);
+    touched.into_iter().filter(is_before).collect()
 }
 
 /// The point of a surface that is nearest to `x`, and its parameters.
@@ -179,8 +209,8 @@ impl<'a> Stack<'a> {
             face.normal.dot(self.up) > 0.0 && face.height(self.top.foot, self.up) >= -rounding
         };
         let area = |face: &Touched| elements.shape(face.surface).area();
-        let smaller = |a: &&&Touched, b: &&&Touched| area(a).total_cmp(&area(b));
-        self.faces.iter().filter(is_front).min_by(smaller)?.point(elements, self.touched, diagonal)
+        let upper = |a: &&&Touched, b: &&&Touched| layer_order(area(b), area(a));
+        self.faces.iter().filter(is_front).min_by(upper)?.point(elements, self.touched, diagonal)
     }
 }
 

@@ -3,13 +3,11 @@
 //! A point may lie at an edge of its surface, or where other surfaces touch it. It is therefore moved slightly
 //! away from these, or inwards.
 
-use std::f64::consts::PI;
-
 use radiosity_elements::Elements;
 use radiosity_geom::{DVec3, Rect, Surface, holds, overhang};
 use radiosity_light::receiver_point::ReceiverPoint;
 
-use crate::solution::{Band, Solution, SurfacePlace};
+use crate::solution::SurfacePlace;
 
 /// Part of the scene's diagonal up to which a point lies on a surface: some sixteen roundings of single
 /// precision.
@@ -38,10 +36,6 @@ pub struct SurfacePoint {
     pub normal: DVec3,
 }
 
-/// Directions along each side of the lune that a tilted sensor sees of an emitter that is not diffuse: a jump of
-/// radiance within it errs by about half of one.
-const LUNE: usize = 64;
-
 /// If the unit directions away from touching surfaces sum up to less than this length, they cancel and the
 /// point is moved inwards instead: between two walls face to face, to 6°, there is no way aside.
 const ASIDE: f64 = 0.1;
@@ -53,49 +47,8 @@ impl SurfacePoint {
         Self::within(elements, surface, parameters, INWARDS * diagonal, DVec3::ZERO)
     }
 
-    /// The light of the surface itself (W m⁻² per band) at a sensor just above this point with the unit normal `n`,
-    /// where `radiosity` (W m⁻² per band) leaves it: of the hemisphere about n it fills the lune below its own
-    /// horizon, at any small height. With θ between the normals, and a what it emits in a direction over its mean,
-    ///
-    /// ```text
-    /// E = B (1 − cos θ)/2 + E₀ ( 1/π ∫₀^θ ∫₀^π a(φ, ψ) sin² ψ sin φ dψ dφ − (1 − cos θ)/2 ) ,
-    /// ```
-    ///
-    /// φ from the sensor's horizon, ψ from the line where it meets the surface's.
-    pub fn own_light(&self, solution: &Solution, n: DVec3, radiosity: &[f64]) -> Vec<f64> {
-        let SurfacePlace { surface, parameters, .. } = self.place;
-        let part = 0.5 * (1.0 - self.normal.dot(n));
-        let radiances = solution.emitters().radiances;
-        let emitted = match radiances.is_directed(surface) {
-            true => self.mean_over_lune(n, |into| radiances.relative(surface, into)),
-            false => part,
-        };
-        let bands = solution.bands().iter().zip(radiosity);
-        let of = |(band, radiosity): (&Band, &f64)| {
-            part * radiosity + (emitted - part) * band.coating.exitance_at(self.element, parameters)
-        };
-        bands.map(of).collect()
-    }
-
-    /// 1/π ∫ a cos dω over the lune between the horizons of the surface and of a sensor with the unit normal `n`;
-    /// a depends on the direction towards the sensor.
-    fn mean_over_lune(&self, n: DVec3, a: impl Fn(DVec3) -> f64) -> f64 {
-        let along = n.cross(self.normal).normalize_or(n.any_orthonormal_vector());
-        // Where the surface rises over the sensor's horizon.
-        let level = n.cross(along);
-        let tilt = self.normal.angle_between(n);
-        let place = |k: usize| (k as f64 + 0.5) / LUNE as f64;
-        let each = (0..LUNE * LUNE).map(|k| {
-            let (sin, cos) = (PI * place(k / LUNE)).sin_cos();
-            let (rise, level_part) = (tilt * place(k % LUNE)).sin_cos();
-            let direction = cos * along + sin * (rise * n + level_part * level);
-            a(-direction) * sin * sin * rise
-        });
-        each.sum::<f64>() * tilt / (LUNE * LUNE) as f64
-    }
-
-    /// The receiver point here with the unit normal `n`: the surface itself is not seen from it
-    /// ([`SurfacePoint::own_light`]).
+    /// The receiver point here with the unit normal `n`: the surface itself is not seen from it but in its
+    /// [lune](crate::gather::lune).
     pub fn receiver_point(&self, n: DVec3) -> ReceiverPoint {
         let ground = (n != self.normal).then_some(self.normal);
         ReceiverPoint { position: self.place.position, normal: n, ground, surface: Some(self.place.surface) }

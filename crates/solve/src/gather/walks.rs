@@ -1,9 +1,10 @@
 //! Walks: paths of rays from a receiver from surface to surface, against the light.
 //!
-//! A walk begins with a cosine-distributed ray from the receiver and goes on from where it ends, with the
-//! probability of the largest reflectance there, at most [`LIKELIEST`]; through a surface that lets light
-//! through it goes on from either side, in proportion to ρ and τ. The product w of the reflectances so far
-//! over these probabilities makes sums over the ends y unbiased estimates of the Neumann series:
+//! A walk begins with a cosine-distributed ray from the receiver and goes on from where it ends, with the probability
+//! of the largest reflectance there, at most [`LIKELIEST`]; through a surface that lets light through it goes on from
+//! either side, in proportion to ρ and τ. The first ray ends at once on the surface under a tilted receiver where it
+//! begins below that surface's horizon. The product w of the reflectances so far over these probabilities makes sums
+//! over the ends y unbiased estimates of the Neumann series:
 //!
 //! ```text
 //! E[ Σ_ends w f(y) ] = (G + GρG + GρGρG + …) f    at the receiver,     (G f)(x) = ∫ κ(x, y) V(x, y) f(y) dA_y .
@@ -16,6 +17,7 @@ use radiosity_light::receiver_point::ReceiverPoint;
 use radiosity_visibility::Visibility;
 use radiosity_work::interruption::check_interrupt;
 
+use crate::gather::lune::Lune;
 use crate::solution::{Solution, SurfacePlace};
 
 /// Largest probability that a walk goes on: 20 steps in the mean, where surfaces reflect nearly all. What is
@@ -105,11 +107,18 @@ impl<'a> Walks<'a> {
     /// Where a ray meets the front of an element.
     fn end(&self, from: &ReceiverPoint, direction: DVec3, chance: u64) -> Option<WalkEnd> {
         check_interrupt();
-        let (surface, hit) = front_met(self.visibility, from, direction)?;
         let elements = self.solution.elements();
-        let element = elements.at(surface, [hit.u, hit.v])?;
-        let jet = elements.shape(surface).jet(hit.u, hit.v);
-        let place = SurfacePlace { surface, parameters: [hit.u, hit.v], position: jet.position };
+        let below = from.ground.filter(|ground| ground.dot(direction) <= 0.0);
+        let (surface, parameters) = match below {
+            Some(_) => Lune::of(from, elements).map(|lune| (lune.place.surface, lune.place.parameters))?,
+            None => {
+                let (surface, hit) = front_met(self.visibility, from, direction)?;
+                (surface, [hit.u, hit.v])
+            }
+        };
+        let element = elements.at(surface, parameters)?;
+        let jet = elements.shape(surface).jet(parameters[0], parameters[1]);
+        let place = SurfacePlace { surface, parameters, position: jet.position };
         let there = ReceiverPoint::on(surface, jet.position, jet.normal);
         let lit = self.lit(element, &place, &there, chance);
         Some(WalkEnd { element, lit, chance })

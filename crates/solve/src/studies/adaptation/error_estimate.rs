@@ -41,6 +41,8 @@ use serde::{Deserialize, Serialize};
 
 use super::sensor::Sensor;
 use crate::gather::Gather;
+use crate::gather::lune::Lune;
+use crate::gather::read_irradiance::ReadIrradiance;
 use crate::gather::walks::{SendingSide, WalkEnd, Walks};
 use crate::solution::{Band, Solution};
 use crate::solved::Solved;
@@ -97,6 +99,7 @@ struct SensorLight {
 /// difference counts so many times. The mean is that of the fine values (Heinrich, Giles: multilevel Monte
 /// Carlo).
 struct CellEnds<'a> {
+    solution: &'a Solution,
     gather: Gather<'a>,
     coarse: f64,
 }
@@ -105,7 +108,15 @@ impl<'a> CellEnds<'a> {
     /// Gathering for sums over walks to about the relative accuracy `eps`.
     fn new(solution: &'a Solution, visibility: &'a Visibility, eps: f64) -> Self {
         let absorbed = (1.0 - mean_reflectance(solution)).max(LEAST_ABSORBED);
-        Self { gather: Gather::new(solution, visibility, absorbed * eps), coarse: COARSER * eps }
+        Self { solution, gather: Gather::new(solution, visibility, absorbed * eps), coarse: COARSER * eps }
+    }
+
+    /// Light that a receiver gathers, that of the surface under a tilted one with it (W m⁻² per band).
+    fn gathered(&self, receiver: &ReceiverPoint) -> Vec<f64> {
+        let light = ReadIrradiance::from(self.gather.at(receiver));
+        let solution = self.solution;
+        let lune = Lune::of(receiver, solution.elements()).map(|lune| lune.polynomial_light(solution));
+        light.with(&lune.unwrap_or_default()).irradiance
     }
 
     /// Reflected light per band where a walk ends, beside `other` light.
@@ -156,7 +167,7 @@ pub(super) fn error_estimate(
     let ranks = work.ranks;
     let makers = shares::by_cost(&vec![1.0; sensors.len()], ranks.count());
     let gathered = ranks
-        .map_by(PartName::SensorLight, &makers, |place| missed_light.ends.gather.at(&sensors[place].point));
+        .map_by(PartName::SensorLight, &makers, |place| missed_light.ends.gathered(&sensors[place].point));
     let mut found = SensorWalks::begun(sensors, gathered, unknowns);
     let per_half = |walks: u64| walks.div_ceil(2 * sensors.len().max(1) as u64);
     let (mut made, mut wanted) = (0, per_half(FIRST).max(FEWEST));

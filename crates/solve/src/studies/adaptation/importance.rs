@@ -130,14 +130,18 @@ impl Ends<'_> {
 
 #[cfg(test)]
 mod tests {
+    use radiosity_light::receiver_point::ReceiverPoint;
+    use radiosity_scene::Scene;
     use radiosity_work::Work;
 
     use super::*;
     use crate::driver::{Options, solve};
     use crate::gather::Gather;
+    use crate::gather::lune::Lune;
+    use crate::gather::read_irradiance::ReadIrradiance;
     use crate::goal::Aim;
 
-    /// J by importance and by reading, for some sensors of the Cornell box.
+    /// J by importance and by reading, for some sensors of the Cornell box, upright and tilted.
     #[test]
     fn importance_times_exitance_is_what_is_read() {
         let scene = radiosity_language::builtin("cornell-box").expect("it is built in");
@@ -146,9 +150,27 @@ mod tests {
         let visibility = options.visibility(&scene);
         let mut sensors = Sensor::of(&Goal::new(1e-2, Aim::Gathered), &solution, &visibility);
         sensors.retain(|sensor| sensor.point.position.z > 0.0);
-        let worth = of_sensors(&solution, &visibility, &sensors, 1 << 21, Ranks::alone());
-        let gather = Gather::new(&solution, &visibility, 1e-3);
-        let light: Vec<Vec<f64>> = sensors.iter().map(|sensor| gather.at(&sensor.point)).collect();
+        let tilted = |sensor: &Sensor| {
+            let ReceiverPoint { position, normal, .. } = sensor.point;
+            [position, (normal + 2.0 * normal.any_orthonormal_vector()).normalize()]
+        };
+        let points = sensors.iter().step_by(4).map(tilted).collect();
+        let goal = Goal { points, ..Goal::new(1e-2, Aim::Points) };
+        for sensors in [sensors, Sensor::of(&goal, &solution, &visibility)] {
+            assert_equal(&scene, &solution, &visibility, &sensors);
+        }
+    }
+
+    /// That the exitance of surfaces times its importance is the light that sensors read.
+    fn assert_equal(scene: &Scene, solution: &Solution, visibility: &Visibility, sensors: &[Sensor]) {
+        let worth = of_sensors(solution, visibility, sensors, 1 << 21, Ranks::alone());
+        let gather = Gather::new(solution, visibility, 1e-3);
+        let light = |sensor: &Sensor| {
+            let own =
+                Lune::of(&sensor.point, solution.elements()).map(|lune| lune.polynomial_light(solution));
+            ReadIrradiance::from(gather.at(&sensor.point)).with(&own.unwrap_or_default()).irradiance
+        };
+        let light: Vec<Vec<f64>> = sensors.iter().map(light).collect();
         for band in 0..3 {
             let size: f64 = sensors.iter().map(|sensor| sensor.weights[band]).sum();
             let read = sensors.iter().zip(&light).map(|(sensor, light)| sensor.weights[band] * light[band]);

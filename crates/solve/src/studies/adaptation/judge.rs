@@ -8,12 +8,12 @@
 //! ```
 
 use radiosity_audit::{Effort, Estimate, Judged, Mean, Referee, Spot, Verdict, WalkCost, evenly};
-use radiosity_light::receiver_point::ReceiverPoint;
 use radiosity_work::Work;
 use radiosity_work::ranks::PartName;
 
 use super::sensor::Sensor;
 use crate::gather::gather_method::SOME_POINTS;
+use crate::gather::lune::Lune;
 use crate::gather::standpoint::Standpoint;
 use crate::gather::surface_point::SurfacePoint;
 use crate::goal::{Aim, Goal};
@@ -101,16 +101,11 @@ impl Judge {
         let eps = Goal::reading(goal.accuracy).min(usual);
         let gathering = goal.by.gathering(solution, run.visibility(), eps, 1.0, SOME_POINTS, false);
         let read = |place: usize| {
-            let ReceiverPoint { position, normal, ground, .. } = self.sensors[place].point;
-            let read = gathering.read(&self.sensors[place].point);
-            let tilted = || Standpoint::find(solution.elements(), run.visibility(), position, normal);
-            match ground.map(|_| tilted()) {
-                Some(Standpoint::On(point)) => {
-                    let of = |band| solution.radiosity(band, point.element, &point.place);
-                    let radiosity: Vec<f64> = (0..solution.bands().len()).map(of).collect();
-                    read.with(&point.own_light(solution, normal, &radiosity)).irradiance
-                }
-                _ => read.irradiance,
+            let receiver = &self.sensors[place].point;
+            let read = gathering.read(receiver);
+            match Lune::of(receiver, solution.elements()) {
+                Some(lune) => read.with(&lune.polynomial_light(solution)).irradiance,
+                None => read.irradiance,
             }
         };
         work.ranks.map_even(PartName::SensorLight, self.sensors.len(), 1, read)
