@@ -23,7 +23,7 @@ pub(super) enum SentLight {
 /// Parts of the polynomials of an element.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Part {
-    /// Those of the highest degree.
+    /// Polynomials of the highest degree.
     Highest,
     /// All but the constant.
     Varying,

@@ -134,19 +134,23 @@ impl<'a> DoubtfulPlaces<'a> {
         if !self.visibility.has_obstacles() {
             return None;
         }
-        let is_near_unknown = |least: f64| self.doubt(&origin.middle()) > least;
         let is_doubtful = match origin {
-            Receiver::Point(_) => is_near_unknown(f64::min(DOUBTFUL * all, UNSURE * all.max(1.0))),
+            Receiver::Point(receiver) => {
+                self.doubt(receiver, &self.varying) > f64::min(DOUBTFUL * all, UNSURE * all.max(1.0))
+            }
             Receiver::Patch(..) => {
+                let is_near_unknown =
+                    || self.doubt(&origin.middle(), &self.bends) > DOUBTFUL_OVER_PATCH * all + NOTHING;
                 let is_in_gap = || all > NOTHING && self.hold(&origin.middle());
-                all < SHADOWED && (is_near_unknown(DOUBTFUL_OVER_PATCH * all + NOTHING) || is_in_gap())
+                all < SHADOWED && (is_near_unknown() || is_in_gap())
             }
         };
         is_doubtful.then(|| known_beside(self.shadows.reflected_alone(origin, lit).with(lit)))
     }
 
-    /// Error that the polynomials of large elements about a point may make there, over the usual light.
-    fn doubt(&self, receiver: &ReceiverPoint) -> f64 {
+    /// Error that the polynomials of large elements about a point may make there, over the usual light: by the bends of
+    /// the elements, or by what is `beside` its surface, of those that this divides.
+    fn doubt(&self, receiver: &ReceiverPoint, beside: &[f64]) -> f64 {
         let rays = self.walks.rays();
         let [position, normal] = [receiver.position, receiver.normal].map(|vector| vector.to_array());
         let offset: [f64; 2] = shift(number_of(position.into_iter().chain(normal)));
@@ -154,7 +158,7 @@ impl<'a> DoubtfulPlaces<'a> {
             let direction = lambert(receiver.normal, shifted(kronecker::point(index), &offset));
             let met = rays.met(receiver, direction).filter(|met| is_seen_large(rays, met));
             met.map_or(0.0, |met| match self.is_divided(receiver, &met) {
-                true => self.bends[met.element].max(self.varying[met.element]),
+                true => self.bends[met.element].max(beside[met.element]),
                 false => self.bends[met.element],
             })
         };

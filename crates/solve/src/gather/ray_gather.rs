@@ -115,7 +115,7 @@ pub struct RayGather<'a> {
     /// Light that surfaces reflect.
     solution: &'a Solution,
     rays: SentRays<'a>,
-    /// What reflects much more than most (`super::glow`).
+    /// Elements that reflect much more than most (`super::glow`).
     glowing: Lamps,
     /// Direct light of points by cells; None where rays find it.
     direct: Option<DirectLight<'a>>,
@@ -159,7 +159,7 @@ impl Sending {
 struct Aims<'s> {
     /// Emitters; None where their light is known.
     lamps: Option<&'s Shares<'s>>,
-    /// What glows.
+    /// Elements that glow.
     glowing: &'s Shares<'s>,
 }
 
