@@ -68,7 +68,12 @@ pub struct Target {
 impl Lamps {
     /// The open elements that emit, with one coating and the mean radiosity `scale` per band.
     pub fn new(elements: &[Element], coatings: &[&Coating], scale: &[f64]) -> Self {
-        let lamp = |element: usize| Lamp::of(elements, element, brightness(coatings, scale, element));
+        Self::by(elements, |element| brightness(coatings, scale, element))
+    }
+
+    /// The open elements of a `brightness` above 0, which is told by their indices.
+    pub fn by(elements: &[Element], brightness: impl Fn(usize) -> f64) -> Self {
+        let lamp = |element: usize| Lamp::of(elements, element, brightness(element));
         let list: Vec<Lamp> = (0..elements.len()).filter_map(lamp).collect();
         let mut places = vec![None; elements.len()];
         list.iter().enumerate().for_each(|(place, lamp)| places[lamp.element] = Some(place as u32));

@@ -23,6 +23,7 @@ mod sent_rays;
 pub(crate) mod direct_by_rays;
 mod trusted_light;
 mod bends;
+mod glow;
 mod walked_light;
 pub mod ray_gather;
 mod doubtful_places;

@@ -4,9 +4,9 @@
 //! their tables and again for each point, little more where more digits are asked for; least in small rooms of flat
 //! things. Rays ([`crate::gather::ray_gather`]) cost about the same whatever the scene is, and ε^(−4/3). Both take
 //! what surfaces reflect from the polynomials of the solution, rays where these are trusted. Walks
-//! (`super::walked_light`) take nothing from them, and cost ε⁻²: they are chosen here for points in narrow gaps alone,
-//! elsewhere by who knows what else a solution would take to be as accurate. What cells find in shadow is read anew by
-//! rays (`super::doubtful_places`).
+//! (`super::walked_light`) take nothing from them, and cost ε⁻²: they are chosen here for points in narrow gaps
+//! alone, elsewhere by who knows what else a solution would take to be as accurate. What is found in doubtful
+//! places is read anew by rays (`super::doubtful_places`).
 
 use radiosity_light::direct::DirectLight;
 use radiosity_light::receiver_point::ReceiverPoint;
@@ -15,7 +15,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::gather::Gather;
 use crate::gather::cell_price::CellPrice;
-use crate::gather::doubtful_places::{DoubtfulPlaces, IN_SHADOW};
+use crate::gather::doubtful_places::{ANEW, DoubtfulPlaces};
 use crate::gather::ray_count::{usual_rays, usual_walks};
 use crate::gather::ray_gather::{Beyond, RayGather};
 use crate::gather::read_irradiance::ReadIrradiance;
@@ -100,7 +100,7 @@ impl<'a> Gathering<'a> {
     /// All light of a receiver, read anew where its parts `lit` by emitters and `reflected` (W m⁻² per band) are
     /// doubtful.
     fn anew(&self, origin: &Receiver, lit: &[f64], reflected: &[f64]) -> Option<ReadIrradiance> {
-        self.doubtful.as_ref().and_then(|places| places.in_shadow(origin, lit, reflected))
+        self.doubtful.as_ref().and_then(|places| places.anew(origin, lit, reflected))
     }
 
     /// All light of a receiver of which cells found the parts `lit` by emitters and `reflected` (W m⁻² per
@@ -185,7 +185,7 @@ impl GatherMethod {
     pub fn seconds_in_gaps(self, solution: &Solution, visibility: &Visibility, eps: f64, points: f64) -> f64 {
         let places = || DoubtfulPlaces::of(solution, visibility, eps);
         let places = if self == Self::Walks { None } else { places() };
-        places.map_or(0.0, |places| points * places.in_gaps() * RAY * usual_rays(eps.max(IN_SHADOW)))
+        places.map_or(0.0, |places| points * places.in_gaps() * RAY * usual_rays(eps.max(ANEW)))
     }
 
     /// About the seconds of one core that so many points outside of narrow gaps take to the relative accuracy `eps`, of

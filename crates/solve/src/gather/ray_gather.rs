@@ -18,6 +18,9 @@
 //! their mean; rays are doubled until s is below the accuracy asked for, or many times the usual number are
 //! sent.
 //!
+//! What surfaces that glow reflect is found by as many rays to them as go to emitters, in the same way
+//! (`super::glow`).
+//!
 //! The light of luminaires at x is exact ([`radiosity_light::point_lights`]); E₁(y) has that of one of them,
 //! by a ray.
 //!
@@ -41,18 +44,19 @@ use radiosity_elements::sampling::lambert::lambert;
 use radiosity_elements::sampling::shift::{number_of, shift, shifted};
 use radiosity_geom::DVec3;
 use radiosity_light::direct::DirectLight;
-use radiosity_light::lamps::{Shares, Target};
+use radiosity_light::lamps::{Lamps, Shares, Target};
 use radiosity_light::receiver_point::ReceiverPoint;
 use radiosity_light::tolerances::DARK;
 use radiosity_transport::tolerances::BATCHES;
 use radiosity_visibility::Visibility;
 use radiosity_work::interruption::check_interrupt_at;
 
-use crate::gather::bends::{SentLight, bends};
+use crate::gather::bends::{Part, SentLight, bends};
+use crate::gather::glow::glowing;
 use crate::gather::ray_count::{MOST_SURFACES, most_rays, most_walks};
 use crate::gather::read_irradiance::{Deviation, ReadIrradiance};
 use crate::gather::receiver::Receiver;
-use crate::gather::sent_rays::{LampLight, Met, RayMix, SentRays, ToLamps};
+use crate::gather::sent_rays::{AimedRays, LampLight, Met, RayMix, SentRays};
 use crate::gather::walked_light::{Draws, Scores, WalkedLight};
 use crate::solution::{Solution, SurfacePlace};
 
@@ -71,7 +75,7 @@ const FEWEST_WALKS: u64 = 16;
 /// sequences agree by chance stop first. Measured in a classroom.
 const CAUTION: f64 = 1.25;
 
-/// Rays to emitters for each cosine-distributed one, M/N.
+/// Rays to emitters, and to what glows, for each cosine-distributed one, M/N.
 const TO_LAMPS: f64 = 0.5;
 
 /// Distance of an emitter, in its radii, within which polynomials say more of its light than one ray.
@@ -111,6 +115,8 @@ pub struct RayGather<'a> {
     /// Light that surfaces reflect.
     solution: &'a Solution,
     rays: SentRays<'a>,
+    /// Elements that reflect much more than most (`super::glow`).
+    glowing: Lamps,
     /// Direct light of points by cells; None where rays find it.
     direct: Option<DirectLight<'a>>,
     /// Bend of the light that each element reflects (`super::bends`).
@@ -131,6 +137,40 @@ struct Sending {
     /// Rays of each sequence before the error is looked at.
     first: u64,
     held: Held,
+}
+
+impl Sending {
+    /// Whether rays go on from what they meet.
+    fn goes_on(&self) -> bool {
+        matches!(self.beyond, Beyond::Walked | Beyond::Trusted)
+    }
+
+    /// Sources of the light where a ray ends.
+    fn end_light(&self, chance: u64) -> EndLight {
+        match self.beyond {
+            Beyond::Polynomials => EndLight::Direct { chance, held: self.held },
+            _ => EndLight::Gathered(chance),
+        }
+    }
+}
+
+/// Rays to what is bright, beside cosine-distributed ones.
+#[derive(Clone, Copy)]
+struct Aims<'s> {
+    /// Emitters; None where their light is known.
+    lamps: Option<&'s Shares<'s>>,
+    /// Elements that glow.
+    glowing: &'s Shares<'s>,
+}
+
+impl<'s> Aims<'s> {
+    fn to_lamps(self) -> Option<AimedRays<'s>> {
+        self.lamps.map(|shares| AimedRays { shares, ratio: TO_LAMPS })
+    }
+
+    fn to_glowing(self) -> AimedRays<'s> {
+        AimedRays { shares: self.glowing, ratio: TO_LAMPS }
+    }
 }
 
 /// Elements all of whose light is that of their polynomials.
@@ -192,9 +232,11 @@ impl<'a> RayGather<'a> {
             Beyond::Walked => solution.mean_arriving(),
             _ => scale.iter().map(|scale| DARK * scale).collect(),
         };
-        let bends = bends(solution, &solution.mean_arriving(), SentLight::All);
+        let usual = solution.mean_arriving();
+        let bends = bends(solution, &usual, SentLight::All, Part::Highest);
+        let glowing = glowing(solution, &usual);
         let rays = SentRays::among(solution.elements(), &solution.emitters(), visibility, &scale);
-        Self { solution: solution.sent(), rays, direct: None, bends, scale, eps, dark, beyond }
+        Self { solution: solution.sent(), rays, glowing, direct: None, bends, scale, eps, dark, beyond }
     }
 
     /// As made, but errors are to be small relative to the irradiance `dark` (W m⁻² per band) where less arrives.
@@ -271,27 +313,30 @@ impl<'a> RayGather<'a> {
         let bands = self.scale.len();
         let mut sums = vec![0.0; BATCHES * bands];
         let lit = shares.and(self.lit(origin));
+        let aims = Aims { lamps: shares, glowing: &self.glowing.seen_from(&middle) };
         let RayCounts { first, least, most } = self.counts(sending.first);
-        let go_on = matches!(sending.beyond, Beyond::Walked | Beyond::Trusted);
         let (mut sent, mut now) = (0, first);
         let (mut surfaces, mut are_whole) = (0, true);
         loop {
             for (batch, sums) in sums.chunks_exact_mut(bands).enumerate() {
                 let own = number.wrapping_add(batch as u64);
-                if go_on {
-                    let mut scores = Scores { sums, surfaces: 0, are_whole: true };
-                    self.walk_around(origin, shares, own, sent..sent + now, &mut scores);
-                    surfaces += scores.surfaces;
-                    are_whole &= scores.are_whole;
+                let mut scores = Scores { sums, surfaces: 0, are_whole: true };
+                if sending.goes_on() {
+                    self.walk_around(origin, aims, own, sent..sent + now, &mut scores);
                 } else {
-                    self.send_around(sending, origin, shares, own, sent..sent + now, sums);
+                    self.send_around(sending, origin, aims, own, sent..sent + now, scores.sums);
                 }
+                let [first, end] = [sent, sent + now].map(|count| (count as f64 * TO_LAMPS) as u64);
+                if !aims.glowing.is_empty() {
+                    self.send_to_glowing(sending, origin, aims.glowing, own, first..end, &mut scores);
+                }
+                surfaces += scores.surfaces;
+                are_whole &= scores.are_whole;
                 if shares.is_some() {
-                    self.add_points(origin, lit.as_deref(), own, sent..sent + now, sums);
+                    self.add_points(origin, lit.as_deref(), own, sent..sent + now, scores.sums);
                 }
                 if let Some(shares) = shares.filter(|shares| !shares.is_empty()) {
-                    let [first, end] = [sent, sent + now].map(|count| (count as f64 * TO_LAMPS) as u64);
-                    self.send_to_lamps(origin, shares, own, first..end, sums);
+                    self.send_to_lamps(origin, shares, own, first..end, scores.sums);
                 }
             }
             sent += now;
@@ -312,7 +357,7 @@ impl<'a> RayGather<'a> {
         &self,
         sending: Sending,
         origin: &Receiver,
-        shares: Option<&Shares>,
+        aims: Aims,
         number: u64,
         rays: Range<u64>,
         sums: &mut [f64],
@@ -325,28 +370,62 @@ impl<'a> RayGather<'a> {
             radiosity.fill(0.0);
             check_interrupt_at(index);
             let chance = number_of([f64::from_bits(number), index as f64]);
-            let end_light = match sending.beyond {
-                Beyond::Polynomials => EndLight::Direct { chance, held: sending.held },
-                _ => EndLight::Gathered(chance),
-            };
-            let to_lamps = shares.map(|shares| ToLamps { shares, ratio: TO_LAMPS });
-            self.add_met(&receiver, direction, to_lamps, end_light, &mut radiosity);
+            if let Some(met) = self.rays.met(&receiver, direction) {
+                let left = aims.to_glowing().left(&receiver, &met);
+                self.add_reflected_by(&met, sending.end_light(chance), left, &mut radiosity);
+                self.add_emitted_by(&receiver, &met, aims.to_lamps(), &mut radiosity);
+            }
             sums.iter_mut().zip(&radiosity).for_each(|(sum, radiosity)| *sum += weight * radiosity);
         }
+    }
+
+    /// Sends rays to what glows, those that belong to the cosine-distributed ones of these numbers.
+    fn send_to_glowing(
+        &self,
+        sending: Sending,
+        origin: &Receiver,
+        glowing: &Shares,
+        number: u64,
+        rays: Range<u64>,
+        scores: &mut Scores,
+    ) {
+        let number = number_of([f64::from_bits(number), 6.0]);
+        let [a, b, c, d, e, ..]: [f64; 8] = offsets(number);
+        let aimed = AimedRays { shares: glowing, ratio: TO_LAMPS };
+        let walked = self.walked();
+        for index in rays {
+            check_interrupt_at(index);
+            let (receiver, weight) = origin.at(shifted(kronecker::point(index), &[d, e]));
+            let target = glowing.target(shifted(kronecker::point(index), &[a, b, c]));
+            let Some(met) = self.rays.met_at(&receiver, &target) else { continue };
+            let weight = weight * target.place.weight * aimed.left(&receiver, &met);
+            let chance = number_of([f64::from_bits(number), index as f64]);
+            if sending.goes_on() {
+                let further = number_of([f64::from_bits(chance), 5.0]);
+                walked.add(met, weight, Draws::of(chance), further, scores);
+            } else {
+                self.add_reflected_by(&met, sending.end_light(chance), weight, scores.sums);
+            }
+        }
+    }
+
+    /// Walks from what rays meet.
+    fn walked(&self) -> WalkedLight<'_> {
+        WalkedLight::new(self.solution, &self.rays, self.beyond == Beyond::Trusted)
     }
 
     /// Begins the walks of these numbers.
     fn walk_around(
         &self,
         origin: &Receiver,
-        shares: Option<&Shares>,
+        aims: Aims,
         number: u64,
         walks: Range<u64>,
         scores: &mut Scores,
     ) {
         let offset: [f64; 4] = shift(number);
         let further: [f64; 8] = offsets(number);
-        let walked = WalkedLight::new(self.solution, &self.rays, self.beyond == Beyond::Trusted);
+        let walked = self.walked();
         for index in walks {
             if !scores.are_whole {
                 return;
@@ -354,42 +433,46 @@ impl<'a> RayGather<'a> {
             let [a, b, polar, turn, choice, s, t, dice] = shifted(kronecker::point(index), &further);
             let Start { receiver, weight, direction } = start(origin, index, &offset, || [a, b]);
             let Some(met) = self.rays.met(&receiver, direction) else { continue };
-            let to_lamps = shares.map(|shares| ToLamps { shares, ratio: TO_LAMPS });
-            let share = weight * self.rays.exitance_left(&receiver, &met, to_lamps);
+            let share = weight * self.rays.exitance_left(&receiver, &met, aims.to_lamps());
             for (sum, band) in scores.sums.iter_mut().zip(self.solution.bands()) {
                 *sum += share * band.coating.exitance[met.element];
             }
+            let weight = weight * aims.to_glowing().left(&receiver, &met);
             let draws = Draws { direction: [polar, turn], target: [choice, s, t], dice };
             let chance = number_of([f64::from_bits(number), index as f64]);
             walked.add(met, weight, draws, chance, scores);
         }
     }
 
-    /// Adds the radiosity of what a cosine-distributed ray meets: emitters with the weight that the balance
-    /// heuristic leaves beside the rays `to_lamps`; where there are none, without exitance.
-    fn add_met(
-        &self,
-        receiver: &ReceiverPoint,
-        direction: DVec3,
-        to_lamps: Option<ToLamps>,
-        end_light: EndLight,
-        radiosity: &mut [f64],
-    ) {
-        let Some(met) = self.rays.met(receiver, direction) else { return };
-        let Met { element, place, distance, .. } = met;
+    /// Adds `factor` times what the place that a ray met reflects and lets through.
+    fn add_reflected_by(&self, met: &Met, end_light: EndLight, factor: f64, radiosity: &mut [f64]) {
+        let Met { element, ref place, distance, .. } = *met;
         let solution = self.solution;
-        let irradiance = self.arriving(element, &place, &|| met.there(), distance, end_light);
-        let beyond = solution.behind(element, &place).map(|(behind, place)| {
+        let irradiance = self.arriving(element, place, &|| met.there(), distance, end_light);
+        let beyond = solution.behind(element, place).map(|(behind, place)| {
             self.arriving(behind, &place, &|| met.beyond(&place), distance, end_light)
         });
-        let exitance = self.rays.exitance_left(receiver, &met, to_lamps);
         for (index, (out, band)) in radiosity.iter_mut().zip(solution.bands()).enumerate() {
             let coating = &band.coating;
-            let reflected = coating.reflectance_at(element, place.parameters) * irradiance[index];
-            *out += reflected + exitance * coating.exitance[element];
+            *out += factor * coating.reflectance_at(element, place.parameters) * irradiance[index];
             if let Some(beyond) = &beyond {
-                *out += coating.transmittance(element) * beyond[index];
+                *out += factor * coating.transmittance(element) * beyond[index];
             }
+        }
+    }
+
+    /// Adds the exitance of what a cosine-distributed ray met with the weight that the balance heuristic leaves beside
+    /// the rays `to_lamps`; nothing where there are none.
+    fn add_emitted_by(
+        &self,
+        receiver: &ReceiverPoint,
+        met: &Met,
+        to_lamps: Option<AimedRays>,
+        radiosity: &mut [f64],
+    ) {
+        let exitance = self.rays.exitance_left(receiver, met, to_lamps);
+        for (out, band) in radiosity.iter_mut().zip(self.solution.bands()) {
+            *out += exitance * band.coating.exitance[met.element];
         }
     }
 
@@ -466,8 +549,11 @@ impl<'a> RayGather<'a> {
         let shares = self.rays.lamps.seen_from(receiver);
         let draws = Draws::of(chance);
         let direction = lambert(receiver.normal, draws.direction);
-        let to_lamps = Some(ToLamps { shares: &shares, ratio: 1.0 });
-        self.add_met(receiver, direction, to_lamps, EndLight::Polynomials, irradiance);
+        let to_lamps = Some(AimedRays { shares: &shares, ratio: 1.0 });
+        if let Some(met) = self.rays.met(receiver, direction) {
+            self.add_reflected_by(&met, EndLight::Polynomials, 1.0, irradiance);
+            self.add_emitted_by(receiver, &met, to_lamps, irradiance);
+        }
         if !shares.is_empty() {
             let mix = RayMix { cosine: 1.0, to_lamps: 1.0 };
             self.add_lamp(receiver, &shares.target(draws.target), mix, 1.0, irradiance);

@@ -23,6 +23,10 @@ use radiosity_visibility::Visibility;
 use crate::gather::walks::front_met;
 use crate::solution::SurfacePlace;
 
+/// Difference of the distances of a target and of what a ray to it met, over them, up to which they are one place:
+/// rounding of single precision.
+const SAME_PLACE: f64 = 1e-6;
+
 /// A scene with the light that its surfaces emit, as rays ask for it.
 #[derive(Debug)]
 pub(super) struct SentRays<'a> {
@@ -72,13 +76,27 @@ pub(super) struct RayMix {
     pub(super) to_lamps: f64,
 }
 
-/// Rays to emitters beside cosine-distributed ones.
+/// Rays to emitters, or to what glows, beside cosine-distributed ones.
 #[derive(Clone, Copy)]
-pub(super) struct ToLamps<'a> {
-    /// Shares of the emitters in them.
+pub(super) struct AimedRays<'a> {
+    /// Shares of their targets in them.
     pub(super) shares: &'a Shares<'a>,
     /// Number of them for each cosine-distributed ray.
     pub(super) ratio: f64,
+}
+
+impl AimedRays<'_> {
+    /// Part of the light of what a cosine-distributed ray met, or of the same place as a target, that the balance
+    /// heuristic leaves to each ray, for all of which the former are counted.
+    pub(super) fn left(&self, receiver: &ReceiverPoint, met: &Met) -> f64 {
+        match self.ratio * self.shares.density(met.element) {
+            0.0 => 1.0,
+            density => {
+                let kernel = met.kernel(receiver);
+                kernel / (kernel + density)
+            }
+        }
+    }
 }
 
 impl Met {
@@ -151,16 +169,21 @@ impl<'a> SentRays<'a> {
         &self,
         receiver: &ReceiverPoint,
         met: &Met,
-        to_lamps: Option<ToLamps<'_>>,
+        to_lamps: Option<AimedRays<'_>>,
     ) -> f64 {
-        let part = to_lamps.map_or(0.0, |rays| match rays.ratio * rays.shares.density(met.element) {
-            0.0 => 1.0,
-            density => {
-                let kernel = met.kernel(receiver);
-                kernel / (kernel + density)
-            }
-        });
-        part * self.relative(met)
+        to_lamps.map_or(0.0, |rays| rays.left(receiver, met) * self.relative(met))
+    }
+
+    /// The target of a ray as what the ray meets; None where something hides it.
+    pub(super) fn met_at(&self, receiver: &ReceiverPoint, target: &Target) -> Option<Met> {
+        let step = target.place.node.position - receiver.position;
+        let distance = step.length();
+        if step.dot(receiver.normal) <= 0.0 {
+            return None;
+        }
+        let met = self.met(receiver, step / distance)?;
+        let is_there = (met.distance - distance).abs() <= SAME_PLACE * distance;
+        (met.element == target.element && is_there).then_some(met)
     }
 
     /// The light that a ray to an emitter stands for beside others; None where nothing arrives.
@@ -188,7 +211,7 @@ impl<'a> SentRays<'a> {
         let to_lamp = self.lamp_light(receiver, &shares.target([choice, s, t]), mix);
         let along = is_near.then(|| lambert(receiver.normal, [polar, turn]));
         let beside = along.and_then(|direction| self.met(receiver, direction)).map(|met| {
-            let to_lamps = Some(ToLamps { shares, ratio: 1.0 });
+            let to_lamps = Some(AimedRays { shares, ratio: 1.0 });
             LampLight { element: met.element, share: self.exitance_left(receiver, &met, to_lamps) }
         });
         to_lamp.into_iter().chain(beside)
