@@ -16,7 +16,7 @@ use radiosity_work::{Progress, Stage, Work};
 use serde::{Deserialize, Serialize};
 
 use super::frame_light::FrameLight;
-use super::frame_light::eye::Eye;
+use super::frame_light::eye::{Eye, SeenPlace};
 use super::frame_light::forecast::{INTERPOLATED, seconds};
 use super::frame_light::frame::Frame;
 use super::frame_light::picture_light::{AVERAGED, GATHERED_FOR_PICTURES, PictureLight};
@@ -79,7 +79,10 @@ pub fn render(
     let coverage = pixels.iter().map(|pixel| pixel.coverage).collect();
     let samples = pixels.iter_mut().map(|pixel| pixel.samples.take()).enumerate();
     let samples = samples.filter_map(|(index, samples)| Some((index, samples?))).collect();
-    Raster::new([camera.width, camera.height], bands, values, coverage).with_samples(samples)
+    let emitters = pixels.iter().map(|pixel| pixel.emits).collect();
+    Raster::new([camera.width, camera.height], bands, values, coverage)
+        .with_samples(samples)
+        .with_emitters(emitters)
 }
 
 /// Source of light of a picture of so many pixels unless told otherwise: gathered, if two threads do that
@@ -99,6 +102,8 @@ struct Pixel {
     radiosity: Vec<f64>,
     /// Part of the pixel in which a front is seen.
     coverage: f64,
+    /// Whether something that emits is seen in the pixel.
+    emits: bool,
     /// Samples that are averaged, if they are more than the middle.
     samples: Option<PixelSamples>,
 }
@@ -153,11 +158,17 @@ impl Shot<'_> {
             return self.nothing();
         };
         let radiosity = self.light.shown(seen, irradiance.into_iter());
-        Pixel { radiosity, coverage: 1.0, samples: None }
+        Pixel { radiosity, coverage: 1.0, emits: self.emits(seen), samples: None }
     }
 
     fn nothing(&self) -> Pixel {
-        Pixel { radiosity: vec![0.0; self.light.solution().bands().len()], coverage: 0.0, samples: None }
+        let radiosity = vec![0.0; self.light.solution().bands().len()];
+        Pixel { radiosity, coverage: 0.0, emits: false, samples: None }
+    }
+
+    /// Whether the element of a place emits.
+    fn emits(&self, seen: &SeenPlace) -> bool {
+        self.light.solution().bands().iter().any(|band| band.coating.exitance[seen.element] > 0.0)
     }
 
     /// Whether an edge of a surface crosses a pixel of a frame that begins with the row `first`. That does
@@ -211,16 +222,17 @@ impl Shot<'_> {
         let direct = self.light.direct(&seen, ONE_OF_SEVERAL).bands;
         let rest = lit.between(at, &seen).unwrap_or_else(|| self.light.rest(&seen, &direct).bands);
         let radiosity = self.light.shown(&seen, direct.iter().zip(rest).map(|(d, s)| d + s));
-        Pixel { radiosity, coverage: 1.0, samples: None }
+        Pixel { radiosity, coverage: 1.0, emits: self.emits(&seen), samples: None }
     }
 
     /// The pixel that averages these samples.
     fn mean(&self, pixels: &[Pixel]) -> Pixel {
         let mut mean = self.nothing();
         let scale = 1.0 / pixels.len() as f64;
-        for Pixel { radiosity, coverage, .. } in pixels {
+        for Pixel { radiosity, coverage, emits, .. } in pixels {
             mean.radiosity.iter_mut().zip(radiosity).for_each(|(sum, value)| *sum += scale * value);
             mean.coverage += scale * coverage;
+            mean.emits |= emits;
         }
         let seen = pixels.iter().filter(|pixel| pixel.coverage > 0.0).map(|pixel| pixel.radiosity.clone());
         let samples = PixelSamples::new(seen.collect(), mean.radiosity.len(), pixels.len());
