@@ -80,16 +80,19 @@ pub fn read_exr(reader: impl Read + Seek, bands: &[String]) -> Result<Raster, Ex
     Ok(Raster::new([layer.size.0 as u32, layer.size.1 as u32], bands.to_vec(), values, coverage))
 }
 
-/// Comment that names the values and their unit. The format has letters of Latin-1 alone: minus signs above the
-/// line become hyphens, other letters question marks.
+/// Comment that names the values and their unit, in ASCII: readers take other letters to be of Latin-1, as the
+/// format does, or of UTF-8. Powers come down to the line; what else is no ASCII becomes a question mark.
 fn comment(quantity: &str, unit: &str) -> Text {
     let radiance = if quantity == "radiosity" { "; radiance is radiosity / pi" } else { "" };
-    let latin = |letter: char| match letter {
+    let plain = |letter: char| match letter {
         '⁻' => '-',
-        letter if u32::from(letter) < 256 => letter,
+        '¹' => '1',
+        '²' => '2',
+        '³' => '3',
+        letter if letter.is_ascii() => letter,
         _ => '?',
     };
-    let text: String = format!("{quantity} in {unit}, linear{radiance}").chars().map(latin).collect();
+    let text: String = format!("{quantity} in {unit}, linear{radiance}").chars().map(plain).collect();
     Text::new_or_panic(text)
 }
 
@@ -137,7 +140,7 @@ mod tests {
     fn comments_name_quantity_and_unit() {
         let told = |quantity: &str, unit: &str| comment(quantity, unit).to_string();
         assert_eq!(told("illuminance", "lx"), "illuminance in lx, linear");
-        assert_eq!(told("radiosity", "W m⁻²"), "radiosity in W m-², linear; radiance is radiosity / pi");
+        assert_eq!(told("radiosity", "W m⁻²"), "radiosity in W m-2, linear; radiance is radiosity / pi");
         assert_eq!(told("importance", "1/area"), "importance in 1/area, linear");
     }
 
