@@ -153,7 +153,8 @@ class Light:
     ) -> Array:
         """A picture of the radiosity: an array (rows, columns, bands), the first row on top. The radiance is 1/π of it.
 
-        `camera` has eye, target and, unless they are +z and 40, up and fov (degrees, vertical); None is that of the scene. `size` is
+        `camera` has eye, target and, unless they are +z and 40, up and fov (degrees, vertical); None is that of the scene, or else one
+        that is chosen: from a corner of a room, from outside of other things. `size` is
         (width, height) in pixels. With `audit` path tracing checks about 64 pixels, and more than their errors tell is a
         `RadiosityWarning`. All options are listed in `radiosity.options.Picture`.
         """

@@ -10,7 +10,6 @@ use pyo3::{PyErr, PyResult, Python, create_exception};
 use radiosity::heat::HeatError;
 use radiosity::reading::files::solution_file::SolutionError;
 use radiosity::reading::files::vtu::VtuError;
-use radiosity::request::picture::NoCamera;
 use radiosity::request::{LoadError, Refusal};
 use radiosity::scene::{Fault, FaultKind, SceneError};
 use radiosity::solve::Failure;
@@ -154,12 +153,6 @@ impl From<HeatError> for Trouble {
             HeatError::Solve(failure) => failure.into(),
             other => Self::plain(&other, other.cure()),
         }
-    }
-}
-
-impl From<NoCamera> for Trouble {
-    fn from(error: NoCamera) -> Self {
-        Self::plain(&error, Some(error.cure().into()))
     }
 }
 

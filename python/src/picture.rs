@@ -7,7 +7,8 @@ use radiosity::reading::pictures::raster::Raster;
 use radiosity::reading::pictures::render::{render, usual_read};
 use radiosity::reading::quantity::Quantity;
 use radiosity::reading::reader::ReadMode;
-use radiosity::request::picture::{SAMPLES, camera, pixels, require_pixels, sized};
+use radiosity::request::picture::{SAMPLES, pixels, require_pixels, sized};
+use radiosity::request::view::View;
 use radiosity::request::{CheckRequest, MethodRequest, check_aim, ranges};
 use radiosity::scene::{Camera, Scene};
 use radiosity::solve::Options;
@@ -45,7 +46,7 @@ pub(crate) struct Shot {
 }
 
 impl Shot {
-    /// The picture that `given` describes, through the given camera or that of the scene.
+    /// The picture that `given` describes, through the given camera, that of the scene, or one that is chosen.
     pub(crate) fn of(
         through: Option<Given>,
         given: &Bound<'_, PyDict>,
@@ -56,8 +57,8 @@ impl Shot {
         let mut given = Arguments::of(given)?;
         let size = given.pair::<ranges::Pixels>("size")?.map(|size| size.map(|pixels| pixels.count() as u32));
         let camera = match through {
-            Some(own) => sized(own.of(scene)?, size),
-            None => camera(size, scene).map_err(Trouble::from)?,
+            Some(own) => own.of(scene)?,
+            None => View::usual(scene).camera,
         };
         let shot = Self {
             samples: given
@@ -67,7 +68,7 @@ impl Shot {
             show: given.value("show")?.unwrap_or_default(),
             check: given.fields()?,
             threads: given.value("threads")?.map_or(options.threads, ranges::Threads::count),
-            camera,
+            camera: sized(camera, size),
         };
         let memory = given.parsed("memory")?.or(method.memory);
         given.finish("render")?;

@@ -94,7 +94,6 @@ def test_built_in_scenes_have_parameters():
         (lambda: lit().solve().plane("desk"), r'"desk"(.|\n)*or type it: plane\(origin, u, v, spacing\)'),
         (lambda: lit().solve(solver="lu", preconditioner="none"), r'take solver="cg" or "gmres", or leave preconditioner= out'),
         (lambda: lit().solve().plane([0, 0, 0], [1, 0, 0], [2, 0, 0], 0.1), "parallel"),
-        (lambda: lit().solve().render(), "there is no camera to take a picture with\nhelp: add a .camera."),
         (lambda: lit().heat(), "heat"),
         (lambda: Scene().solve(), "surface"),
         (lambda: radiosity.view_factors(np.zeros((3, 4))), r"polygons: an array of shape \(3, 4\) instead of \(n, k, 3\)"),

@@ -8,7 +8,7 @@ use radiosity_test_support::data::number;
 use radiosity_test_support::folders::{folder, json};
 use serde_json::Value;
 
-use crate::program::{self, radiosity};
+use crate::program::{self, done, radiosity};
 
 /// A closed room of reflectance ½ that emits 1 everywhere, of which one wall belongs to a light group, and a
 /// plane of sensors in it. Light of the reflectance ρ = ½ sums to 1/(1 − ρ) = 2 at all points.
@@ -199,13 +199,7 @@ fn the_picture_has_the_readings() {
 fn wrong_inputs_are_refused() {
     let dark = FURNACE.replace("emission = 1", "emission = 0");
     let polygons = "name,x,y,z\na,0,0,0\na,1,0,0\na,0,1,0\n";
-    let blind = without_camera();
-    let folder = folder(&[
-        ("room.toml", FURNACE),
-        ("dark.toml", &dark),
-        ("blind.toml", &blind),
-        ("polygons.csv", polygons),
-    ]);
+    let folder = folder(&[("room.toml", FURNACE), ("dark.toml", &dark), ("polygons.csv", polygons)]);
     let refused = |args: &[&str], parts: &[&str]| program::refused(folder.path(), args, parts);
     refused(&["audit", "room.toml", "--seconds", "-1"], &["--seconds", "expected seconds, above 0"]);
     refused(&["audit", "room.toml", "--seconds", "nan"], &["--seconds", "expected seconds, above 0"]);
@@ -227,9 +221,14 @@ fn wrong_inputs_are_refused() {
     refused(&["audit", "room.toml", "--size", "30x20"], &["--picture"]);
     let same = ["audit", "room.toml", "-o", "a.csv", "--report", "a.csv"];
     refused(&same, &["a.csv"]);
-    let parts =
-        ["blind.toml: there is no camera to take a picture with", "add a [camera] with eye and target"];
-    refused(&["audit", "blind.toml", "--picture", "where.png"], &parts);
+}
+
+#[test]
+fn a_view_is_chosen_for_a_picture_of_readings() {
+    let folder = folder(&[("blind.toml", without_camera())]);
+    let audit = ["audit", "blind.toml", "--seconds", "0.1", "--readings", "8", "--picture", "where.png"];
+    let [_, told] = done(folder.path(), &audit);
+    assert!(told.contains("where.png; no camera in the scene: seen from eye "), "{told}");
 }
 
 fn without_camera() -> String {

@@ -146,6 +146,30 @@ fn meshes_have_places_in_the_texture_and_the_texture_has_the_light() {
     assert_eq!(tree["scenes"][0]["extras"]["linear"], "room.exr");
 }
 
+/// Of a room whose lamp is a fifth of its surfaces, seen by its camera or one that is chosen.
+#[test]
+fn textures_are_exposed_as_the_picture() {
+    let lamp = "quad = { vertices = [[0,0,4],[0,3,4],[4,3,4],[4,0,4]] }";
+    let room = ROOM.replace("quad = { vertices = [[1,1,4],[1,2,4],[2,2,4],[2,1,4]] }", lamp);
+    let camera = "camera = { eye = [2, -4, 2], target = [2, 1.5, 1], width = 64, height = 48 }\n";
+    let folder = folder(&[("bare.toml", room.clone()), ("seen.toml", format!("{camera}{room}"))]);
+    let path = folder.path();
+    for scene in ["bare", "seen"] {
+        let [picture, texture, page] = ["png", "glb", "html"].map(|ending| {
+            let (scene, name) = (format!("{scene}.toml"), format!("x.{ending}"));
+            let render = ["render", &scene, "--read", "basis", "-o", &name, "--report", "x.json"];
+            done(path, &render);
+            let report: Value = serde_json::from_slice(&fs::read(path.join("x.json")).unwrap()).unwrap();
+            report["exposure"]["factor"].as_f64().expect("a number")
+        });
+        let (tree, _) = chunks(&path.join("x.glb"));
+        assert_eq!(tree["scenes"][0]["extras"]["exposure"], texture);
+        for other in [texture, page] {
+            assert!((other / picture - 1.0).abs() < 0.01, "{scene}: {picture} {texture} {page}");
+        }
+    }
+}
+
 #[test]
 fn textures_are_linear_in_the_light_and_even_in_a_furnace() {
     let folder = folder(&[("room.toml", ROOM)]);

@@ -31,5 +31,6 @@ mod relight;
 mod report;
 mod solution_file;
 mod textures;
+mod views;
 mod vtu;
 mod walkthroughs;

@@ -1,7 +1,7 @@
 //! Pictures: radiosities in files against closed forms, borders of elements, and what is refused.
 
 use std::fs::{self, File};
-use std::io::{BufReader, Read};
+use std::io::{BufReader, Cursor, Read};
 use std::path::Path;
 
 use base64::Engine;
@@ -142,23 +142,133 @@ fn a_solution_file_is_a_reference() {
     assert!(String::from_utf8_lossy(&output.stderr).contains("it has other materials"));
 }
 
-#[test]
-fn a_camera_is_proposed_that_sees_the_scene() {
-    let folder = tempfile::tempdir().unwrap();
+/// The square without its camera.
+fn without_camera() -> String {
     let (start, rest) = SQUARE.split_once("[camera]").expect("there is one");
-    let bare = format!("{start}{}", &rest[rest.find("[materials").expect("it follows")..]);
-    fs::write(folder.path().join("s.toml"), &bare).unwrap();
-    let output = radiosity(folder.path(), &["render", "s.toml"]);
-    assert_eq!(output.status.code(), Some(2));
-    let told = String::from_utf8_lossy(&output.stderr).into_owned();
-    let camera = told.split_once("such as [camera] ").expect("a camera is proposed").1;
-    let lines = camera.trim().replace("], ", "]\n");
-    fs::write(folder.path().join("s.toml"), format!("{bare}\n[camera]\n{lines}\nwidth = 16\nheight = 16"))
-        .unwrap();
-    done(folder.path(), &["render", "s.toml", "-o", "s.exr"]);
+    format!("{start}{}", &rest[rest.find("[materials").expect("it follows")..])
+}
+
+/// Moved to where coordinates are large, which are told as they are in the file.
+#[test]
+fn a_view_is_chosen_that_sees_the_scene_and_told_as_it_would_be_typed() {
+    let far = without_camera().replace("[[-1,-1,0],[1,-1,0],[1,1,0],[-1,1,0]]", FAR_SQUARE);
+    let folder = folder(&[("s.toml", far)]);
+    let picture = ["render", "s.toml", "--read", "basis", "--size", "16x16"];
+    let [_, told] = done(folder.path(), &[&picture[..], &["-o", "a.exr"]].concat());
+    let view = told.split_once("no camera in the scene: seen from ").expect("it is told").1;
+    let view = view.lines().next().expect("a line").replace("to target", "target");
+    let typed: Vec<String> = view.split(", ").flat_map(|part| part.split(' ').map(str::to_owned)).collect();
+    let [eye, from, target, to, fov, degrees] = typed.iter().map(String::as_str).collect::<Vec<_>>()[..]
+    else {
+        panic!("{view}");
+    };
+    assert_eq!([eye, target, fov], ["eye", "target", "fov"]);
+    let view = ["--eye", from, "--target", to, "--fov", degrees, "-o", "b.exr"];
+    let [_, told] = done(folder.path(), &[&picture[..], &view].concat());
+    assert!(!told.contains("no camera"), "what is typed need not be told: {told}");
+    let [chosen, typed] = ["a.exr", "b.exr"].map(|name| fs::read(folder.path().join(name)).unwrap());
+    assert!(chosen == typed);
+    let raster = read_exr(Cursor::new(chosen), &["grey".to_owned()]).expect("it is ours");
+    assert!(raster.field(None).seen().count() > 40, "much of the picture shows the square");
+}
+
+const FAR_SQUARE: &str = "[[5999,-3001,70],[6001,-3001,70],[6001,-2999,70],[5999,-2999,70]]";
+
+/// The camera of the square sees [−½, ½]²; from four times as high it sees [−2, 2]², as it does through four times the
+/// tangent of half its angle.
+#[test]
+fn views_that_are_typed_take_the_place_of_the_camera() {
+    let folder = folder(&[("s.toml", SQUARE)]);
+    let seen = |view: &[&str]| {
+        let picture = ["render", "s.toml", "--read", "basis", "--samples", "1", "-o", "s.exr"];
+        done(folder.path(), &[&picture[..], view].concat());
+        let file = BufReader::new(File::open(folder.path().join("s.exr")).unwrap());
+        read_exr(file, &["grey".to_owned()]).expect("it is ours").field(None).seen().count()
+    };
+    let all = 48 * 48;
+    assert_eq!(seen(&[]), all);
+    assert_eq!(seen(&["--eye", "0,0,4"]), all / 4);
+    assert_eq!(seen(&["--fov", "126.86989764584402"]), all / 4);
+    // Turned upside down and to the rim: [½, 3/2] × [−½, ½].
+    assert_eq!(seen(&["--eye", "1,0,1", "--target", "1,0,0", "--view-up", "0,-1,0"]), all / 2);
+    let refused = |view: &[&str], parts: &[&str]| {
+        program::refused(folder.path(), &[&["render", "s.toml"], view].concat(), parts);
+    };
+    refused(&["--eye", "0,0"], &["--eye", "expected three numbers"]);
+    refused(&["--fov", "180"], &["--fov", "expected degrees above 0 and below 180"]);
+    refused(&["--eye", "0,0,0"], &["eye and target are the same point"]);
+    refused(&["--view-up", "0,0,1"], &["the up vector lies along the view"]);
+}
+
+/// Texts of a PNG by their keywords.
+fn png_texts(path: &Path) -> Vec<[String; 2]> {
+    let file = BufReader::new(File::open(path).expect("it was written"));
+    let reader = png::Decoder::new(file).read_info().expect("it is a PNG");
+    let texts = reader.info().utf8_text.iter();
+    texts.map(|text| [text.keyword.clone(), text.get_text().expect("it is plain")]).collect()
+}
+
+/// The square is as bright all over: nothing shines on it. It emits, and nothing else is seen.
+#[test]
+fn exposures_are_told_in_exposure_values() {
+    let folder = folder(&[("s.toml", SQUARE.replace("emission = 1", "emission = 8"))]);
+    let exposed = |exposure: &[&str]| {
+        let picture = ["render", "s.toml", "--read", "basis", "-o", "s.png", "--report", "s.json"];
+        let [_, told] = done(folder.path(), &[&picture[..], exposure].concat());
+        let path = folder.path().join("s.png");
+        let [[keyword, text]] = &png_texts(&path)[..] else { panic!("one text") };
+        assert_eq!(keyword, "Exposure");
+        assert!(told.contains(&format!("wrote s.png; {text}\n")), "{told}");
+        let report: serde_json::Value =
+            serde_json::from_slice(&fs::read(folder.path().join("s.json")).unwrap()).unwrap();
+        (text.clone(), report["exposure"].clone(), png_colours(&path))
+    };
+    let chosen = exposed(&[]);
+    assert_eq!(chosen.0, "exposure -3.00 EV, chosen: radiosity of 8 W/m² is white");
+    assert_eq!(chosen.1, serde_json::json!({"factor": 0.125, "ev": -3.0, "automatic": true}));
+    assert_eq!(exposed(&["--exposure", "auto"]), chosen);
+    let typed = exposed(&["--exposure", "-4EV"]);
+    assert_eq!(typed.0, "exposure -4.00 EV: radiosity of 16 W/m² is white");
+    assert_eq!(exposed(&["--exposure", "0.0625"]), typed);
+    // Half of white: sRGB 188.
+    assert!(typed.2.iter().flatten().all(|code| (187..=188).contains(code)), "{:?}", typed.2);
+    refused(
+        &["render", "--exposure", "-3"],
+        &["--exposure", "expected auto, exposure values such as -6.5EV"],
+    );
+}
+
+/// A lamp that fills a ninth of the view is a million times as bright as what it lights.
+#[test]
+fn lamps_do_not_darken_a_picture() {
+    let folder = folder(&[("s.toml", below_a_lamp())]);
+    done(folder.path(), &["render", "s.toml", "--samples", "1", "-o", "s.exr"]);
+    let [_, told] = done(folder.path(), &["render", "s.toml", "--report", "s.json", "-o", "s.png"]);
     let file = BufReader::new(File::open(folder.path().join("s.exr")).unwrap());
     let raster = read_exr(file, &["grey".to_owned()]).expect("it is ours");
-    assert!(raster.field(None).seen().count() > 40, "much of the picture shows the square");
+    let lit: Vec<f64> = raster.field(None).seen().filter(|radiosity| *radiosity < 9e5).collect();
+    let (brightest, mean) =
+        (lit.iter().fold(0.0, |a, b| f64::max(a, *b)), lit.iter().sum::<f64>() / lit.len() as f64);
+    let report: serde_json::Value =
+        serde_json::from_slice(&fs::read(folder.path().join("s.json")).unwrap()).unwrap();
+    let white = 1.0 / report["exposure"]["factor"].as_f64().expect("a number");
+    assert!(mean < white && white <= brightest, "{mean} {white} {brightest}: {told}");
+}
+
+/// Comments within pictures are of their values.
+#[test]
+fn values_are_named_with_their_unit() {
+    let lux = SQUARE.replace("bands = [\"grey\"]", "bands = [\"lm\"]\nunit = \"lx\"");
+    let folder = folder(&[("s.toml", lux)]);
+    for (show, says) in [
+        ("irradiance", "illuminance in lx, linear"),
+        ("radiosity", "radiosity in lx, linear; radiance is radiosity / pi"),
+    ] {
+        done(folder.path(), &["render", "s.toml", "--read", "basis", "--show", show, "-o", "s.exr"]);
+        let bytes = fs::read(folder.path().join("s.exr")).unwrap();
+        let has = |text: &str| bytes.windows(text.len()).any(|part| part == text.as_bytes());
+        assert!(has(says) && !has("W/m"), "{show}");
+    }
 }
 
 #[test]

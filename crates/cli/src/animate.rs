@@ -13,8 +13,8 @@ use clap::{Args, ValueEnum};
 use radiosity_audit::{Referee, evenly};
 use radiosity_output::drawings::picture::Picture;
 use radiosity_output::pictures::image::Image;
-use radiosity_output::pictures::tone::Tone;
 use radiosity_reading::checked_readings::{CheckedReadings, PrintedReading};
+use radiosity_reading::exposure::Exposure;
 use radiosity_reading::own_error::OwnError;
 use radiosity_reading::pictures::printed_pixels::{PrintedPixels, settings_of_pictures};
 use radiosity_reading::pictures::raster::Raster;
@@ -23,11 +23,12 @@ use radiosity_reading::quantity::Quantity;
 use radiosity_reading::rank_work::RanksWork;
 use radiosity_reading::reader::ReadMode;
 use radiosity_reading::report::underestimated;
-use radiosity_request::picture::{SAMPLES, camera, pixels, require_pixels};
+use radiosity_request::picture::{SAMPLES, pixels, require_pixels, sized};
 use radiosity_request::ranges::{Fraction, Positive};
 use radiosity_request::require_all_light;
+use radiosity_request::view::{View, ViewRequest};
 use radiosity_request::{CheckRequest, MethodRequest, ReadRequest};
-use radiosity_scene::Scene;
+use radiosity_scene::{Camera, Scene};
 use radiosity_solve::animation::follower::{FollowMode, Follower};
 use radiosity_solve::animation::frame::Frame;
 use radiosity_solve::{LightMethod, Options};
@@ -39,6 +40,7 @@ use radiosity_work::wording::{option, words};
 use crate::{
     console,
     error::CliError,
+    exposure::{EXPOSURE, TypedExposure},
     loaded::Loaded,
     numbers::{counts, number},
     options::SceneArg,
@@ -102,10 +104,10 @@ pub(crate) struct AnimateArgs {
     #[arg(long, value_name = "S", value_parser = clap::value_parser!(u32).range(1..=64))]
     samples: Option<u32>,
 
-    /// Exposure of all pictures: the radiosity that is white is 1 over it [default: that of the first
-    /// picture, as render would]
-    #[arg(long, value_name = "X", value_parser = number::<Positive>)]
-    exposure: Option<f64>,
+    /// Exposure of all pictures: a factor on radiosities before they become colours, or exposure values such as
+    /// -6.5EV, log₂ of it; or auto, that which render chooses for the first picture [default: auto]
+    #[arg(long, value_name = "auto|X|nEV", allow_hyphen_values = true)]
+    exposure: Option<TypedExposure>,
 
     /// Pictures a second of a film [default: those of the scene's time, if it has any; else 25]
     #[arg(long, value_name = "N", value_parser = number::<Positive>)]
@@ -113,6 +115,9 @@ pub(crate) struct AnimateArgs {
 
     #[command(flatten)]
     read: ReadRequest,
+
+    #[command(flatten)]
+    view: ViewRequest,
 
     #[command(flatten)]
     method: MethodRequest,
@@ -124,6 +129,9 @@ pub(crate) struct AnimateArgs {
     #[arg(short, long, help_heading = "Messages")]
     quiet: bool,
 }
+
+/// Quantity that pictures show.
+const RADIOSITY: &str = "radiosity";
 
 /// Most surfaces that pass through others of which a line tells.
 const LISTED: usize = 4;
@@ -186,6 +194,11 @@ impl AnimateArgs {
         Ok(())
     }
 
+    /// Whether pictures are asked for.
+    fn has_pictures(&self) -> bool {
+        self.output.is_some() || self.probe.is_none()
+    }
+
     /// The files or the film of the pictures; None where none were asked for.
     fn film(&self, loaded: &Loaded, first: usize, ranks: &Ranks) -> Result<Option<FrameFiles>, CliError> {
         let output = match (&self.output, &self.probe) {
@@ -202,7 +215,7 @@ impl AnimateArgs {
                 "leave it out, or choose files ending in .png",
             ));
         }
-        let camera = camera(self.size, loaded.scene())?;
+        let camera = sized(View::usual(loaded.scene()).camera, self.size);
         require_pixels(&camera, loaded.scene(), self.method.memory, ranks)?;
         Ok(Some(film))
     }
@@ -219,8 +232,10 @@ struct Shutter<'a> {
     found: Option<CheckedReadings>,
     readings: Option<Readings>,
     film: Option<FrameFiles>,
-    /// Exposure of all pictures, 1 over the radiosity that is white; that of the first picture unless told.
-    exposure: Option<f64>,
+    /// The camera of all pictures, where they are not taken through those of the frames.
+    view: Option<Camera>,
+    /// Exposure of all pictures; that of the first picture unless told.
+    exposure: Option<Exposure>,
     /// Source of the light, as for the first picture unless told.
     read: Option<ReadMode>,
 }
@@ -254,14 +269,14 @@ impl Shutter<'_> {
         }
         let Some(mut film) = self.film.take() else { return Ok(()) };
         if is_first || !is_there {
-            let raster = self.take(frame, ranks)?;
+            let raster = self.take(frame, ranks);
             if number == self.judged && self.readings.is_none() {
-                self.found = self.check_picture(frame, &raster, ranks)?;
+                self.found = self.check_picture(frame, &raster, ranks);
             }
             let mut develop = || self.developed(&raster, frame);
             match is_there {
                 true => drop(develop()),
-                false => film.add(number, &raster, develop, ranks)?,
+                false => film.add(number, &raster, [RADIOSITY, &frame.scene.unit], develop, ranks)?,
             }
         }
         self.film = Some(film);
@@ -285,36 +300,36 @@ impl Shutter<'_> {
     }
 
     /// The check of a picture of a frame.
-    fn check_picture(
-        &self,
-        frame: &Frame,
-        raster: &Raster,
-        ranks: &Ranks,
-    ) -> Result<Option<CheckedReadings>, CliError> {
-        let camera = camera(self.args.size, &frame.scene)?;
+    fn check_picture(&self, frame: &Frame, raster: &Raster, ranks: &Ranks) -> Option<CheckedReadings> {
+        let camera = self.camera(&frame.scene);
         let settings = settings_of_pictures(self.read.unwrap_or(ReadMode::Gather));
         let own = OwnError::of_frame(frame, self.asked, &settings);
         let pixels = PrintedPixels::of(raster, &camera, &frame.scene, &frame.visibility, own);
-        Ok(self.check(frame, pixels.count(), |number| pixels.reading(number), ranks))
+        self.check(frame, pixels.count(), |number| pixels.reading(number), ranks)
     }
 
-    /// The picture of a frame, through its own camera.
-    fn take(&mut self, frame: &Frame, ranks: &Ranks) -> Result<Raster, CliError> {
-        let camera = camera(self.args.size, &frame.scene)?;
+    /// The camera of a frame: its own, unless there is one view of all.
+    fn camera(&self, scene: &Scene) -> Camera {
+        let camera = self.view.clone().unwrap_or_else(|| View::usual(scene).camera);
+        sized(camera, self.args.size)
+    }
+
+    /// The picture of a frame.
+    fn take(&mut self, frame: &Frame, ranks: &Ranks) -> Raster {
+        let camera = self.camera(&frame.scene);
         let visibility = &frame.visibility;
         let usual = || usual_read(&frame.solution, visibility, pixels(&camera));
         let read = *self.read.get_or_insert_with(usual);
         let samples = self.args.samples.unwrap_or(SAMPLES);
         let (shown, work) = (Quantity::Radiosity, Work::among(ranks));
-        Ok(render(&frame.solution, visibility, &camera, samples, read, shown, &work))
+        render(&frame.solution, visibility, &camera, samples, read, shown, &work)
     }
 
-    /// The picture of a frame in colours. Without a typed exposure white is approached softly, as in a
-    /// photograph.
+    /// The picture of a frame in colours.
     fn developed(&mut self, raster: &Raster, frame: &Frame) -> Picture {
         let image = Image::new(raster, white_balance(&frame.solution));
         let exposure = *self.exposure.get_or_insert_with(|| image.automatic_exposure());
-        image.exposed(exposure, if self.args.exposure.is_some() { Tone::Linear } else { Tone::Shoulder })
+        image.exposed(exposure).with_remark(EXPOSURE, exposure.told(RADIOSITY, &frame.scene.unit))
     }
 }
 
@@ -328,6 +343,10 @@ pub(crate) fn run(args: &AnimateArgs, loaded: Loaded, ranks: &Ranks) -> Result<(
     if !args.quiet {
         warn_of_passages(scene, range.ends(), ranks);
     }
+    let (view, chosen) = match args.view.beside_own(scene)? {
+        Some(View { camera, told }) => (Some(camera), told.filter(|_| args.has_pictures())),
+        None => (None, None),
+    };
     let points = args.probe.as_deref().map(|points| Points::load(points, ranks)).transpose()?;
     let film = args.film(&loaded, range.ends()[0], ranks)?;
     let (progress, deadline) = (Progress::new(args.quiet, ranks), args.method.deadline());
@@ -335,8 +354,9 @@ pub(crate) fn run(args: &AnimateArgs, loaded: Loaded, ranks: &Ranks) -> Result<(
     let mut follower = Follower::new(scene, &asked, args.way(), range.ends());
     let readings = points.map(|points| Readings::new(points, args.read.plain(&args.method)));
     let judged = evenly(range.numbers(), range.count(), 1, 0).next().unwrap_or_default();
-    let (exposure, read) = (args.exposure, args.read.read);
-    let mut shutter = Shutter { args, asked: &asked, judged, found: None, readings, film, exposure, read };
+    let (exposure, read) = (TypedExposure::fixed(args.exposure), args.read.read);
+    let mut shutter =
+        Shutter { args, asked: &asked, judged, found: None, readings, film, view, exposure, read };
     let mut made = 0;
     for (done, number) in range.numbers().enumerate() {
         progress.say_whole(standing(done, range.count(), made, begun));
@@ -348,7 +368,7 @@ pub(crate) fn run(args: &AnimateArgs, loaded: Loaded, ranks: &Ranks) -> Result<(
         made += 1;
         asked.in_threads(ranks, || shutter.record(number, &frame, is_first, is_there, ranks))??;
     }
-    let Shutter { film, readings, found, read, .. } = shutter;
+    let Shutter { film, readings, found, read, exposure, .. } = shutter;
     film.map_or(Ok(()), FrameFiles::finish)?;
     let read_error = readings.as_ref().and_then(Readings::error);
     readings.map_or(Ok(()), |readings| readings.write(&scene.bands, judged, found.as_ref(), ranks))?;
@@ -357,6 +377,8 @@ pub(crate) fn run(args: &AnimateArgs, loaded: Loaded, ranks: &Ranks) -> Result<(
     if !args.quiet {
         let mut lines = summary::lines(&follower, made, begun.elapsed().as_secs_f64());
         lines.extend(RanksWork::so_far(ranks, asked.threads).map(|work| work.to_string()));
+        lines.extend(chosen);
+        lines.extend(exposure.map(|exposure| exposure.told(RADIOSITY, &scene.unit)));
         lines.extend(read_error.map(|error| error.to_string()));
         lines.extend(checked.as_ref().map(|checked| format!("frame {judged} {checked}")));
         let read = read.unwrap_or(ReadMode::Gather);

@@ -211,7 +211,9 @@ impl AuditArgs {
             picture.file.write(|writer| taken.write_png(writer))?;
         }
         let files = self.output.iter().chain(&self.marks.picture).map(|path| path.display().to_string());
-        let written = files.collect::<Vec<_>>().join(" and ");
+        let mut written = files.collect::<Vec<_>>().join(" and ");
+        let view = picture.as_ref().and_then(|picture| picture.told.as_ref());
+        view.into_iter().for_each(|view| written += &format!("; {view}"));
         run.finish((!written.is_empty()).then_some(written.as_str()))?;
         self.judge("the light is", &judged.checked)
     }

@@ -7,12 +7,15 @@ use radiosity_output::drawings::picture::Picture;
 use radiosity_output::files::exr_file::write_exr;
 use radiosity_output::files::glb::{BakedScene, texture_size};
 use radiosity_output::pictures::image::Image;
+use radiosity_output::pictures::lightmap_view::lightmap_view;
 use radiosity_output::pictures::tessellation::tessellation;
-use radiosity_output::pictures::tone::Tone;
+use radiosity_reading::exposure::Exposure;
 use radiosity_reading::pictures::lightmap::Lightmap;
 use radiosity_reading::pictures::printed_pixels::settings_of_pictures;
 use radiosity_reading::pictures::render::{usual_read, white_balance};
 use radiosity_reading::reader::ReadMode;
+use radiosity_request::picture::SAMPLES;
+use radiosity_request::view::View;
 use radiosity_scene::Scene;
 use radiosity_solve::solved::Solved;
 use radiosity_work::ranks::Ranks;
@@ -20,6 +23,7 @@ use serde_json::{Value, json};
 
 use crate::{
     error::CliError,
+    exposure::TypedExposure,
     forecast,
     loaded::Loaded,
     read::rough,
@@ -39,6 +43,8 @@ const NEAR: f64 = 5e-4;
 pub(crate) struct Bake<'a> {
     /// Path of the .glb file.
     pub(crate) path: &'a Path,
+    /// Words on the view that it is exposed for; empty for none.
+    pub(crate) view: &'a str,
     /// The number of texels, as that of a picture.
     pub(crate) size: Option<[u32; 2]>,
     /// Source of the light.
@@ -68,33 +74,47 @@ impl Bake<'_> {
             (tessellation(scene, NEAR * diagonal(scene)), lightmap)
         })?;
         let baked = BakedScene::new(scene, &triangles, &lightmap, self.style.show);
-        let (picture, about) = self.coloured(&baked, &run.solved, &beside);
+        let exposure = TypedExposure::fixed(self.style.exposure).unwrap_or_else(|| {
+            let view =
+                lightmap_view(&run.solved, &lightmap, &View::usual(scene).camera, SAMPLES, self.style.show);
+            Image::new(&view, white_balance(solution)).automatic_exposure()
+        });
+        let (picture, about) = self.coloured(&baked, exposure, &run.solved, &beside);
         // Both are written before one is put in place: they belong together.
-        let linear = linear.pending(|writer| write_exr(baked.raster(), writer))?;
+        let linear = linear.pending(|writer| write_exr(baked.raster(), self.shown(scene), writer))?;
         output.pending(|writer| baked.write(&picture, &about, writer))?.put()?;
         linear.put()?;
         let [width, height] = baked.raster().size();
         let figures = format!("{} triangles, texture of {width} × {height}", baked.triangles());
-        let note = rough(self.read, read);
+        let [quantity, unit] = self.shown(scene);
+        let note = format!("{}; {}{}", rough(self.read, read), exposure.told(quantity, unit), self.view);
+        run.add_exposure(exposure);
         run.check_solution(&settings_of_pictures(read))?;
         let files = [self.path, &beside].map(Path::display);
         run.finish(Some(&format!("{} ({figures}) and {}{note}", files[0], files[1])))
     }
 
     /// The texture in colours, and the remarks on it in the file; `beside` is the file of the light as it is.
-    fn coloured(&self, baked: &BakedScene, solved: &Solved, beside: &Path) -> (Picture, Value) {
+    fn coloured(
+        &self,
+        baked: &BakedScene,
+        exposure: Exposure,
+        solved: &Solved,
+        beside: &Path,
+    ) -> (Picture, Value) {
         let (scene, balance) = (&solved.scene, white_balance(&solved.outcome.solution));
-        let image = Image::new(baked.raster(), balance);
-        let (exposure, tone) = match self.style.exposure {
-            Some(exposure) => (exposure, Tone::Linear),
-            None => (image.automatic_exposure(), Tone::Shoulder),
-        };
+        let [quantity, unit] = self.shown(scene);
         let about = json!({
-            "quantity": self.style.show.name(&scene.unit), "unit": scene.unit, "bands": scene.bands,
-            "exposure": exposure, "white_balance": balance,
+            "quantity": quantity, "unit": unit, "bands": scene.bands,
+            "exposure": exposure.factor(), "exposure_ev": exposure.ev(), "white_balance": balance,
             "linear": beside.file_name().map(|name| name.to_string_lossy()),
         });
-        (image.exposed(exposure, tone), about)
+        (Image::new(baked.raster(), balance).exposed(exposure), about)
+    }
+
+    /// The quantity that the textures hold, and its unit.
+    fn shown<'a>(&self, scene: &'a Scene) -> [&'a str; 2] {
+        [self.style.show.name(&scene.unit), &scene.unit]
     }
 }
 

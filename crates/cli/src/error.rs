@@ -6,9 +6,8 @@ use radiosity_audit::HeatFault;
 use radiosity_heat::HeatError;
 use radiosity_published::hierarchy::HierarchyError;
 use radiosity_reading::files::solution_file::SolutionError;
-use radiosity_request::picture::NoCamera;
 use radiosity_request::{LoadError, Refusal};
-use radiosity_scene::SceneError;
+use radiosity_scene::{Fault, SceneError};
 use radiosity_solve::Failure;
 use radiosity_solve::animation::error::AnimationError;
 use radiosity_solve::solved::RelightError;
@@ -127,9 +126,9 @@ impl From<Refusal> for CliError {
     }
 }
 
-impl From<NoCamera> for CliError {
-    fn from(error: NoCamera) -> Self {
-        Self::refused(error.to_string(), error.cure())
+impl From<Fault> for CliError {
+    fn from(fault: Fault) -> Self {
+        Self::refused(fault.to_string(), fault.cure().unwrap_or_default())
     }
 }
 

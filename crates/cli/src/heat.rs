@@ -123,7 +123,9 @@ pub(crate) fn run(args: &HeatArgs, given: &TypedOptions, ranks: &Ranks) -> Resul
     let checked = || args.transfers.check.check_heat(&mut heat, &scene, options.options.shadows, &work);
     let unchecked = options.options.in_threads(ranks, checked)?.err();
     files.write(&heat)?;
+    let mut first = vec![];
     if let Some(picture) = files.picture {
+        first.extend(picture.told.clone());
         let visibility = options.options.visibility(&scene);
         let take = || picture.take(&scene, &visibility, &heat, ranks);
         let taken = options.options.in_threads(ranks, take)?;
@@ -131,7 +133,7 @@ pub(crate) fn run(args: &HeatArgs, given: &TypedOptions, ranks: &Ranks) -> Resul
     }
     drop(progress);
     let elapsed = start.elapsed().as_secs_f64();
-    let first = vec![format!("{}: {} surfaces, {elapsed:.3} s", scene.name, heat.surfaces.len())];
+    first.insert(0, format!("{}: {} surfaces, {elapsed:.3} s", scene.name, heat.surfaces.len()));
     let written = args.output.iter().chain(&args.conductances).chain(&args.picture.picture);
     let findings = findings(&scene, &heat, unchecked.as_ref());
     args.transfers.tell(first, &scene, findings, written, ranks);

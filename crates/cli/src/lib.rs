@@ -16,6 +16,7 @@
 mod console;
 mod interrupt;
 mod numbers;
+mod exposure;
 mod error;
 mod points;
 mod typed_options;
@@ -161,10 +162,11 @@ impl Cli {
             Verb::Relight(args) => relight::run(args, ranks),
             Verb::Render(args) => {
                 let fixing = self.fixing.iter().filter(|option| !(args.importance && *option == "--for"));
-                let loaded = Loaded::readable(&args.scene, &fixing.cloned().collect::<Vec<_>>(), ranks)?;
+                let mut loaded = Loaded::readable(&args.scene, &fixing.cloned().collect::<Vec<_>>(), ranks)?;
+                let view = loaded.look(&args.view)?;
                 let ranks =
                     args.run.recording(given, &loaded.inputs(), args.style.difference.as_deref(), ranks)?;
-                render::run(args, loaded, &ranks)
+                render::run(args, loaded, view, &ranks)
             }
             Verb::Animate(args) => animate::run(args, Loaded::lit(&args.scene, ranks)?, ranks),
             Verb::Probe(args) => {

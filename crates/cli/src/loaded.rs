@@ -7,6 +7,7 @@ use std::time::Instant;
 use radiosity_language::Import;
 use radiosity_reading::files::solution_file::{is_solution, read};
 use radiosity_request::MethodRequest;
+use radiosity_request::view::{View, ViewRequest};
 use radiosity_scene::Scene;
 use radiosity_solve::Options;
 use radiosity_solve::solved::Solved;
@@ -113,6 +114,18 @@ impl Loaded {
             Content::Scene(scene) => scene,
             Content::Solved(solved) => &solved.scene,
         }
+    }
+
+    /// Takes the view that was asked for, or that is chosen where the scene has no camera, as its camera;
+    /// returns words on it, where it was chosen.
+    pub(crate) fn look(&mut self, view: &ViewRequest) -> Result<Option<String>, CliError> {
+        let View { camera, told } = view.of(self.scene())?;
+        let scene = match &mut self.content {
+            Content::Scene(scene) => scene,
+            Content::Solved(solved) => &mut solved.scene,
+        };
+        scene.camera = Some(camera);
+        Ok(told)
     }
 
     /// The options that the scene was or will be solved with.

@@ -2,7 +2,8 @@
 
 use std::path::Path;
 
-use radiosity_output::documents::viewer::{FirstViewSettings, texels, write_viewer};
+use radiosity_output::documents::viewer::{FirstViewSettings, automatic_exposure, texels, write_viewer};
+use radiosity_reading::exposure::Exposure;
 use radiosity_reading::pictures::lightmap::Lightmap;
 use radiosity_reading::pictures::printed_pixels::settings_of_pictures;
 use radiosity_reading::pictures::render::usual_read;
@@ -30,6 +31,8 @@ pub(crate) struct Page<'a> {
     pub output: &'a OutputFile,
     /// Its first view.
     pub start: &'a FirstViewSettings,
+    /// Words on that; empty for none.
+    pub view: &'a str,
 }
 
 /// Solves the scene and writes the page of its light, read by `read` or as that takes little time.
@@ -40,7 +43,7 @@ pub(crate) fn write(
     read: Option<ReadMode>,
     ranks: &Ranks,
 ) -> Result<(), CliError> {
-    let Page { path, output, start } = *page;
+    let Page { path, output, start, view } = *page;
     let scene = loaded.scene();
     let reckoned = Lightmap::sizes(scene, texels(scene.light_groups().len().max(1), scene.bands.len()));
     let reckoned = reckoned.iter().map(|[across, down]| across * down).sum();
@@ -53,8 +56,13 @@ pub(crate) fn write(
     let usual = || usual_read(solution, run.solved.visibility(), pixels);
     let read_by = args.method.read(read).unwrap_or_else(usual);
     let lightmap = run.in_threads(|| Lightmap::new(&run.solved, read_by, texels, &run.work()))?;
-    output.write(|writer| write_viewer(&run.solved, &lightmap, start, writer))?;
-    let notes = [rough(read, read_by), left_out(&run.solved.scene)].concat();
+    let automatic = automatic_exposure(&run.solved, &lightmap, start);
+    output.write(|writer| write_viewer(&run.solved, &lightmap, start, automatic, writer))?;
+    let exposure = start.exposure.map_or(automatic, Exposure::fixed);
+    let Scene { unit, .. } = &run.solved.scene;
+    let exposed = format!("; {}", exposure.told(start.shown.name(unit), unit));
+    let notes = [rough(read, read_by), left_out(&run.solved.scene), &exposed, view].concat();
+    run.add_exposure(exposure);
     run.check_solution(&settings_of_pictures(read_by))?;
     run.finish(Some(&format!("{}{notes}", path.display())))
 }

@@ -15,7 +15,8 @@ use radiosity_reading::quantity::Quantity;
 use radiosity_reading::reader::ReadMode;
 use radiosity_request::aim::AccuracyOf;
 use radiosity_request::check_aim;
-use radiosity_request::picture::{SAMPLES, camera, pixels, require_pixels};
+use radiosity_request::picture::{SAMPLES, pixels, require_pixels, sized};
+use radiosity_request::view::{View, ViewRequest};
 use radiosity_scene::{Camera, Scene};
 use radiosity_solve::solution::Solution;
 use radiosity_solve::studies::adaptation::{Goal, importance};
@@ -32,7 +33,7 @@ use crate::{
     page::{self, Page},
     read::rough,
     run::{Run, RunArgs},
-    style::{PictureFormat, Style, StyleArgs},
+    style::{PictureFormat, Style, StyleArgs, StyledPicture},
 };
 
 /// Solves a scene and takes a picture through its camera
@@ -69,25 +70,36 @@ pub(crate) struct RenderArgs {
     pub(crate) importance: bool,
 
     #[command(flatten)]
+    pub(crate) view: ViewRequest,
+
+    #[command(flatten)]
     pub(crate) style: StyleArgs,
 
     #[command(flatten)]
     pub(crate) run: RunArgs,
 }
 
-/// Solves the scene and writes a picture.
-pub(crate) fn run(args: &RenderArgs, loaded: Loaded, ranks: &Ranks) -> Result<(), CliError> {
+/// Solves the scene and writes a picture of it, seen through its camera.
+///
+/// `view` has words on that, where it was chosen.
+pub(crate) fn run(
+    args: &RenderArgs,
+    loaded: Loaded,
+    view: Option<String>,
+    ranks: &Ranks,
+) -> Result<(), CliError> {
+    let view = view.map_or_else(String::new, |view| format!("; {view}"));
     let path = args.output.clone().unwrap_or_else(|| format!("{}.png", loaded.scene().name).into());
     check_aim(args.read, &args.run.method)?;
     let kind = args.style.kind(&path)?;
     if kind == PictureFormat::Glb {
-        return args.bake(&path)?.run(loaded, ranks);
+        return args.bake(&path, &view)?.run(loaded, ranks);
     }
     let output = loaded.reserve(&path, &args.run.report, ranks)?;
-    let camera = camera(args.size, loaded.scene())?;
+    let camera = sized(View::usual(loaded.scene()).camera, args.size);
     if kind == PictureFormat::Html {
         let start = args.start(loaded.scene(), camera)?;
-        let page = Page { path: &path, output: &output, start: &start };
+        let page = Page { path: &path, output: &output, start: &start, view: &view };
         return page::write(loaded, &args.run, &page, args.read, ranks);
     }
     require_pixels(&camera, loaded.scene(), args.run.method.memory, ranks)?;
@@ -102,17 +114,21 @@ pub(crate) fn run(args: &RenderArgs, loaded: Loaded, ranks: &Ranks) -> Result<()
     let shot = args.shot(&run, solution, &camera, &mut style, ranks)?;
     let mut written = format!("{}{}", path.display(), rough(args.read, shot.read));
     if kind == PictureFormat::Exr {
-        output.write(|writer| write_exr(&shot.raster, writer))?;
+        let [quantity, unit] = args.shown(&run.solved.scene);
+        output.write(|writer| write_exr(&shot.raster, [&quantity, &unit], writer))?;
     } else {
         let Shot { raster, borders, seen_surfaces, .. } = &shot;
-        let (picture, figures) =
-            style.picture(raster, white_balance(solution), borders.as_deref(), seen_surfaces.as_ref())?;
-        written += &figures;
+        let balance = white_balance(solution);
+        let StyledPicture { picture, told, exposure } =
+            style.picture(raster, balance, borders.as_deref(), seen_surfaces.as_ref())?;
+        written += &told;
         output.write(|writer| picture.write_png(writer))?;
+        exposure.into_iter().for_each(|exposure| run.add_exposure(exposure));
     }
     if !args.importance {
         args.check(&mut run, &shot, &camera)?;
     }
+    written += &view;
     run.finish(Some(&written))
 }
 
@@ -173,7 +189,7 @@ impl RenderArgs {
     }
 
     /// The light in textures instead of a picture.
-    fn bake<'a>(&'a self, path: &'a Path) -> Result<Bake<'a>, CliError> {
+    fn bake<'a>(&'a self, path: &'a Path, view: &'a str) -> Result<Bake<'a>, CliError> {
         let Self { size, samples, read, importance, style, run, .. } = self;
         let refuse = |reason: &str, option: &str| {
             Err(CliError::refused(
@@ -187,7 +203,7 @@ impl RenderArgs {
         if samples.is_some() {
             return refuse("light is read at the middles of texels, and --samples counts rays", "--samples");
         }
-        Ok(Bake { path, size: *size, read: *read, style, args: run })
+        Ok(Bake { path, view, size: *size, read: *read, style, args: run })
     }
 
     /// Camera rays along each side of a pixel.

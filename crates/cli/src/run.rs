@@ -10,6 +10,7 @@ use std::time::Instant;
 
 use clap::Args;
 use radiosity_reading::checkpoint::Checkpoint;
+use radiosity_reading::exposure::Exposure;
 use radiosity_reading::plane_figures::PlaneFigures;
 use radiosity_reading::quality::ReadSettings;
 use radiosity_reading::rank_work::RanksWork;
@@ -223,6 +224,11 @@ impl Run {
     /// The report so far.
     pub(crate) fn report(&self) -> &Report {
         &self.report
+    }
+
+    /// Adds the exposure of the picture to the report.
+    pub(crate) fn add_exposure(&mut self, exposure: Exposure) {
+        self.report.exposure = Some(exposure);
     }
 
     /// Adds the figures of planes to the summary and to the report.

@@ -11,28 +11,33 @@ use radiosity_output::drawings::picture::Picture;
 use radiosity_output::drawings::scale::Scale;
 use radiosity_output::files::exr_file::read_exr;
 use radiosity_output::pictures::image::Image;
-use radiosity_output::pictures::tone::Tone;
 use radiosity_reading::difference::Difference;
+use radiosity_reading::exposure::Exposure;
 use radiosity_reading::field::Field;
 use radiosity_reading::pictures::raster::Raster;
 use radiosity_reading::pictures::seen_surfaces::SeenSurfaces;
 use radiosity_reading::quantity::{Quantity, band_name};
-use radiosity_request::ranges::Positive;
 use radiosity_scene::{Camera, Scene};
 use radiosity_solve::solved::Solved;
 use radiosity_work::digits::three_digits;
 use radiosity_work::ranks::Ranks;
 
-use crate::{colours::ColourArgs, error::CliError, format, numbers::number, reference};
+use crate::{
+    colours::ColourArgs,
+    error::CliError,
+    exposure::{EXPOSURE, TypedExposure},
+    format, reference,
+};
 
 /// How a picture looks.
 #[derive(Debug, Args)]
 #[command(next_help_heading = "Style")]
 pub(crate) struct StyleArgs {
-    /// Factor on the values before they become colours, in proportion up to white [default: chosen for the
-    /// picture, with a soft approach to white]
-    #[arg(long, value_name = "X", value_parser = number::<Positive>, conflicts_with_all = ["false_colour", "difference"])]
-    pub(crate) exposure: Option<f64>,
+    /// Exposure: a factor on the values before they become colours, or exposure values such as -6.5EV, log₂ of
+    /// it, both in proportion up to white; or auto, which lets the brightest fiftieth of what is seen and does
+    /// not emit be white, with a soft approach to it [default: auto]
+    #[arg(long, value_name = "auto|X|nEV", allow_hyphen_values = true, conflicts_with_all = ["false_colour", "difference"])]
+    pub(crate) exposure: Option<TypedExposure>,
 
     /// Shows numbers in false colours, with a legend in the scene's unit
     #[arg(long, alias = "false-color")]
@@ -66,6 +71,16 @@ pub(crate) enum PictureFormat {
     Glb,
     /// A page to walk through.
     Html,
+}
+
+/// A picture in its style.
+#[derive(Debug)]
+pub(crate) struct StyledPicture {
+    pub(crate) picture: Picture,
+    /// The message to print after the picture's name.
+    pub(crate) told: String,
+    /// Its exposure, where it is a photograph.
+    pub(crate) exposure: Option<Exposure>,
 }
 
 /// A style with its band and its other picture.
@@ -146,7 +161,8 @@ impl StyleArgs {
         let ColourArgs { range, log, .. } = &self.colours;
         let colours = FirstViewColours { band: self.colours.band(scene)?, range: *range, log: *log };
         let false_colours = self.false_colour.then_some(colours);
-        Ok(FirstViewSettings { camera, samples, exposure: self.exposure, shown: self.show, false_colours })
+        let exposure = TypedExposure::fixed(self.exposure).map(|exposure| exposure.factor());
+        Ok(FirstViewSettings { camera, samples, exposure, shown: self.show, false_colours })
     }
 
     /// Finds the band and reads the other picture of a quantity in this unit, before the work.
@@ -220,15 +236,14 @@ impl Style<'_> {
         }
     }
 
-    /// The picture, in false colours where there are `seen_surfaces`, and the message to print after its
-    /// name.
+    /// The picture, in false colours where there are `seen_surfaces`.
     pub(crate) fn picture(
         &self,
         raster: &Raster,
         balance: [f64; 3],
         borders: Option<&[f64]>,
         seen_surfaces: Option<&SeenSurfaces>,
-    ) -> Result<(Picture, String), CliError> {
+    ) -> Result<StyledPicture, CliError> {
         let wired = |mut picture: Picture| {
             if let Some(borders) = borders {
                 picture.overlay(borders, raster.size()[0], WIRE);
@@ -236,19 +251,22 @@ impl Style<'_> {
             picture
         };
         if let Some(Other::Taken(other)) = &self.other {
-            let (picture, figures) =
-                self.difference(&raster.field(self.band), &other.field(self.band), wired)?;
-            return Ok((picture, figures));
+            return self.difference(&raster.field(self.band), &other.field(self.band), wired);
         }
         if let Some(seen_surfaces) = seen_surfaces {
-            return Ok((self.false_colours(&raster.field(self.band), seen_surfaces, wired), String::new()));
+            let picture = self.false_colours(&raster.field(self.band), seen_surfaces, wired);
+            return Ok(StyledPicture { picture, told: String::new(), exposure: None });
         }
         let image = Image::new(raster, balance);
-        let picture = match self.args.exposure {
-            Some(exposure) => image.exposed(exposure, Tone::Linear),
-            None => image.photograph(),
-        };
-        Ok((wired(picture), String::new()))
+        let exposure = TypedExposure::fixed(self.args.exposure).unwrap_or_else(|| image.automatic_exposure());
+        let told = exposure.told(&self.title[0], self.unit());
+        let picture = wired(image.exposed(exposure)).with_remark(EXPOSURE, told.clone());
+        Ok(StyledPicture { picture, told: format!("; {told}"), exposure: Some(exposure) })
+    }
+
+    /// The unit of what is shown.
+    fn unit(&self) -> &str {
+        self.title.last().map_or("", String::as_str)
     }
 
     fn false_colours(
@@ -274,7 +292,7 @@ impl Style<'_> {
         field: &Field,
         other: &Field,
         wired: impl Fn(Picture) -> Picture,
-    ) -> Result<(Picture, String), CliError> {
+    ) -> Result<StyledPicture, CliError> {
         let black = "the picture to compare with is black";
         let difference = Difference::new(field, other)
             .ok_or_else(|| CliError::refused(black, "choose another picture or another band"))?;
@@ -293,7 +311,7 @@ impl Style<'_> {
             "\ndifference: rms {rms:.4} %, largest {largest:.4} % of the other picture's mean {}",
             self.title[0]
         );
-        Ok((picture, figures))
+        Ok(StyledPicture { picture, told: figures, exposure: None })
     }
 }
 

@@ -14,6 +14,7 @@ pub mod field;
 pub mod warning;
 pub mod uniformity;
 pub mod quantity;
+pub mod exposure;
 pub mod difference;
 pub mod reader;
 pub mod grid;

@@ -13,6 +13,7 @@ use radiosity_solve::{Functional, Outcome, Shots};
 use serde::Serialize;
 
 use crate::checkpoint::Checkpoint;
+use crate::exposure::Exposure;
 pub use crate::masked_surfaces::MaskedSurfaces;
 use crate::plane_figures::PlaneFigures;
 use crate::rank_work::{RanksWork, peak_bytes};
@@ -103,6 +104,9 @@ pub struct Report {
     /// The largest jump of irradiance between surfaces that go on smoothly, where it was looked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub joint_jump_max: Option<NamedJump>,
+    /// Exposure of the picture, where one was exposed.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub exposure: Option<Exposure>,
     /// Figures of the sensors of planes.
     pub planes: Vec<PlaneFigures>,
     /// Errors of light that rays gathered at points.
@@ -220,6 +224,7 @@ impl Report {
             converged: outcome.converged,
             checks: outcome.checks,
             joint_jump_max: None,
+            exposure: None,
             planes: Vec::new(),
             read_error: None,
             checked: None,

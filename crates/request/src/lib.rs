@@ -7,7 +7,7 @@
 //! In order: [`Refusal`]; [`ranges`] (of numbers), `modes` (names of kernels, shadows, solvers), [`memory`]
 //! and [`aim`] (of an accuracy); [`MethodRequest`] and `conflicts` (how light is computed), [`ReadRequest`]
 //! (how it is read), [`AuditRequest`] (how it is judged), [`TransferRequest`] and [`HeatRequest`],
-//! [`SceneRequest`] (which scene), [`picture`] and [`cells`] (what results need of memory).
+//! [`SceneRequest`] (which scene), [`view`] (from where), [`picture`] and [`cells`] (what results need of memory).
 //!
 //! Imports `geom`, `solvers`, `work`, `formats`, `scene`, `language`, `audit`, `visibility`, `elements`,
 //! `kernel`, `published`, `solve`, `reading` and `heat`.
@@ -23,6 +23,7 @@ mod reading;
 mod audit;
 mod transfers;
 mod scene;
+pub mod view;
 pub mod picture;
 pub mod cells;
 

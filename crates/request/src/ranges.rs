@@ -5,7 +5,7 @@ use std::marker::PhantomData;
 use std::str::FromStr;
 
 use bytesize::ByteSize;
-use radiosity_scene::ranges::{MAX_ORDER, MAX_PARTS, MAX_PIXELS};
+use radiosity_scene::ranges::{MAX_ORDER, MAX_PARTS, MAX_PIXELS, check_fov};
 use radiosity_solve::MOST_RAYS;
 use serde::de::{self, Visitor};
 use serde::{Deserialize, Deserializer};
@@ -245,6 +245,18 @@ impl Range for Relaxation {
 
     fn has(x: f64) -> bool {
         x > 0.0 && x < 2.0
+    }
+}
+
+/// Angles of view (degrees).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum AngleOfView {}
+
+impl Range for AngleOfView {
+    const EXPECTED: &'static str = "expected degrees above 0 and below 180, such as 60";
+
+    fn has(x: f64) -> bool {
+        check_fov(x).is_ok()
     }
 }
 

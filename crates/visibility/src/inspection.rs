@@ -81,7 +81,8 @@ impl Inspection {
 
 fn light(scene: &Scene) -> Vec<Warning> {
     let dark = "nothing emits light: give a material an emission above 0, or add luminaires, or a sky and an opening to it";
-    let unseen = "there is no camera for a picture: add a [camera] with eye and target";
+    let unseen =
+        "there is no camera: pictures show a view that is chosen; add a [camera] with eye and target";
     let dark = (!scene.emits()).then(|| Warning::general("no-emitter", dark));
     let unseen = scene.camera.is_none().then(|| Warning::general("no-camera", unseen));
     dark.into_iter().chain(unseen).collect()

@@ -97,11 +97,12 @@ impl FrameFiles {
         matches!(self, Self::Files(pattern) if pattern.is_exr)
     }
 
-    /// Takes the picture of a frame; files are written at once.
+    /// Takes the picture of a frame, of what is `shown`: a quantity and its unit; files are written at once.
     pub(super) fn add(
         &mut self,
         frame: usize,
         raster: &Raster,
+        shown: [&str; 2],
         picture: impl FnOnce() -> Picture,
         ranks: &Ranks,
     ) -> Result<(), CliError> {
@@ -109,7 +110,7 @@ impl FrameFiles {
             Self::Files(pattern) => {
                 let output = OutputFile::reserve(&pattern.path(frame), ranks)?;
                 if pattern.is_exr {
-                    return output.write(|writer| write_exr(raster, writer));
+                    return output.write(|writer| write_exr(raster, shown, writer));
                 }
                 let picture = picture();
                 output.write(|writer| picture.write_png(writer))

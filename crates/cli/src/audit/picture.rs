@@ -9,7 +9,8 @@ use radiosity_output::drawings::picture::Picture;
 use radiosity_output::drawings::scale::Scale;
 use radiosity_output::pictures::marks::{Mark, MarkedPicture};
 use radiosity_reading::judging::{JudgedReading, JudgedRun};
-use radiosity_request::picture::camera;
+use radiosity_request::picture::sized;
+use radiosity_request::view::View;
 use radiosity_scene::Camera;
 use radiosity_solve::solved::Solved;
 use radiosity_work::ranks::Ranks;
@@ -43,6 +44,8 @@ pub(crate) struct MarkArgs {
 /// A picture about to be taken.
 pub(crate) struct MarkPicture {
     camera: Camera,
+    /// Words on its view, where it was chosen.
+    pub(crate) told: Option<String>,
     pub(crate) file: OutputFile,
 }
 
@@ -57,9 +60,9 @@ impl MarkArgs {
     ) -> Result<Option<MarkPicture>, CliError> {
         let Some(path) = &self.picture else { return Ok(None) };
         format::of_file::<PictureFormat>(path)?;
-        let camera = camera(self.size, loaded.scene())?;
+        let View { camera, told } = View::usual(loaded.scene());
         let file = loaded.reserve(path, report, ranks)?.apart_from(output, "the figures")?;
-        Ok(Some(MarkPicture { camera, file }))
+        Ok(Some(MarkPicture { camera: sized(camera, self.size), told, file }))
     }
 }
 

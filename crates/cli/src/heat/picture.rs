@@ -10,7 +10,8 @@ use radiosity_reading::pictures::render::render;
 use radiosity_reading::pictures::seen_surfaces::SeenSurfaces;
 use radiosity_reading::quantity::Quantity;
 use radiosity_reading::reader::ReadMode;
-use radiosity_request::picture::{SAMPLES, camera};
+use radiosity_request::picture::{SAMPLES, sized};
+use radiosity_request::view::View;
 use radiosity_scene::{Camera, Scene};
 use radiosity_visibility::Visibility;
 use radiosity_work::Work;
@@ -58,6 +59,8 @@ enum HeatQuantity {
 pub(crate) struct HeatPicture<'a> {
     args: &'a PictureArgs,
     camera: Camera,
+    /// Words on its view, where it was chosen.
+    pub(crate) told: Option<String>,
     pub(crate) file: OutputFile,
 }
 
@@ -75,8 +78,8 @@ impl PictureArgs {
         }
         self.colours.check()?;
         format::of_file::<PictureFormat>(path)?;
-        let camera = camera(self.size, scene)?;
-        Ok(Some(HeatPicture { args: self, camera, file: reserve(path)? }))
+        let View { camera, told } = View::usual(scene);
+        Ok(Some(HeatPicture { args: self, camera: sized(camera, self.size), told, file: reserve(path)? }))
     }
 }
 

@@ -126,7 +126,8 @@ fn picture(run: &Run, camera: &Camera) -> Result<Picture, CliError> {
     let read = usual_read(solution, visibility, pixels(camera));
     let take = || render(solution, visibility, camera, SAMPLES, read, Quantity::Radiosity, &run.work());
     let raster = run.in_threads(take)?;
-    Ok(Image::new(&raster, white_balance(solution)).photograph())
+    let image = Image::new(&raster, white_balance(solution));
+    Ok(image.exposed(image.automatic_exposure()))
 }
 
 impl ReadLight {

@@ -8,18 +8,18 @@
 
 mod first_view_settings;
 mod packing;
-mod first_view;
 mod header;
 
 use std::io::{self, Write};
 
+use radiosity_reading::exposure::Exposure;
 use radiosity_reading::pictures::lightmap::Lightmap;
 use radiosity_reading::pictures::render::white_balance;
 use radiosity_solve::solved::Solved;
 
 use crate::pictures::image::Image;
+use crate::pictures::lightmap_view::lightmap_view;
 use crate::pictures::tessellation::tessellation;
-use first_view::first_view;
 pub use first_view_settings::{FirstViewColours, FirstViewSettings};
 use header::Header;
 use packing::Packed;
@@ -66,7 +66,14 @@ const SCRIPT: [&str; 11] = [
     include_str!("viewer/main.js"),
 ];
 
-/// Writes the page of a solved scene with this light.
+/// The exposure that is chosen for the first view of a page.
+pub fn automatic_exposure(solved: &Solved, lightmap: &Lightmap, start: &FirstViewSettings) -> Exposure {
+    let view = lightmap_view(solved, lightmap, &start.camera, start.samples, start.shown);
+    Image::new(&view, white_balance(&solved.outcome.solution)).automatic_exposure()
+}
+
+/// Writes the page of a solved scene with this light; `automatic` is the exposure that was chosen for its first
+/// view.
 ///
 /// # Errors
 /// Whatever the writer reports.
@@ -74,13 +81,12 @@ pub fn write_viewer(
     solved: &Solved,
     lightmap: &Lightmap,
     start: &FirstViewSettings,
+    automatic: Exposure,
     mut writer: impl Write,
 ) -> io::Result<()> {
     let (scene, visibility) = (&solved.scene, solved.visibility());
     let triangles = tessellation(scene, TOLERANCE * visibility.bounds().diagonal());
     let balance = white_balance(&solved.outcome.solution);
-    let view = first_view(solved, lightmap, start);
-    let automatic = Image::new(&view, balance).automatic_exposure();
     let packed = Packed::new(lightmap, scene.bands.len(), &triangles);
     let header = Header::new(solved, lightmap, &triangles, start, automatic, balance, packed.scale);
     let shaders: Vec<String> = SHADERS

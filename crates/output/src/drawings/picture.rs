@@ -16,12 +16,14 @@ pub struct Picture {
     width: u32,
     height: u32,
     pixels: Vec<Colour>,
+    /// Remarks that files of it carry: keyword and text.
+    remarks: Vec<[String; 2]>,
 }
 
 impl Picture {
     /// `width × height` pixels of one colour.
     pub fn filled(width: u32, height: u32, colour: Colour) -> Self {
-        Self { width, height, pixels: vec![colour; width as usize * height as usize] }
+        Self::new(width, height, vec![colour; width as usize * height as usize])
     }
 
     /// The pixels in row order from the top left.
@@ -30,7 +32,14 @@ impl Picture {
     /// If the number of pixels is not `width · height`.
     pub(crate) fn new(width: u32, height: u32, pixels: Vec<Colour>) -> Self {
         assert_eq!(pixels.len(), width as usize * height as usize, "one entry per pixel");
-        Self { width, height, pixels }
+        Self { width, height, pixels, remarks: Vec::new() }
+    }
+
+    /// The picture with a remark that a PNG of it carries, under a keyword of 1 to 79 Latin letters.
+    #[must_use]
+    pub fn with_remark(mut self, keyword: &str, text: String) -> Self {
+        self.remarks.push([keyword.to_owned(), text]);
+        self
     }
 
     /// Pixels across and down.
@@ -92,7 +101,7 @@ impl Picture {
         }
     }
 
-    /// Writes an 8-bit sRGB PNG.
+    /// Writes an 8-bit sRGB PNG, with the remarks as its international texts (`iTXt`).
     ///
     /// # Errors
     /// Whatever the writer reports.
@@ -101,6 +110,9 @@ impl Picture {
         encoder.set_color(png::ColorType::Rgb);
         encoder.set_depth(png::BitDepth::Eight);
         encoder.set_source_srgb(png::SrgbRenderingIntent::Perceptual);
+        for [keyword, text] in &self.remarks {
+            encoder.add_itxt_chunk(keyword.clone(), text.clone())?;
+        }
         let mut stream = encoder.write_header()?;
         stream.write_image_data(self.codes())?;
         stream.finish()?;
@@ -120,6 +132,7 @@ mod tests {
     #[test]
     fn png_holds_its_pixels() {
         let picture = Picture::new(2, 1, vec![[0, 7, 255], [1, 2, 3]]);
+        let picture = picture.with_remark("Exposure", "8 W/m² is white".to_owned());
         let mut bytes = Vec::new();
         picture.write_png(&mut bytes).expect("a vector takes everything");
         let mut reader = png::Decoder::new(io::Cursor::new(bytes)).read_info().expect("a PNG");
@@ -127,6 +140,8 @@ mod tests {
         let info = reader.next_frame(&mut pixels).expect("a frame");
         assert_eq!((info.width, info.height), (2, 1));
         assert_eq!(pixels, [0, 7, 255, 1, 2, 3]);
+        let texts = &reader.info().utf8_text;
+        assert_eq!(texts[0].get_text().expect("it is plain"), "8 W/m² is white");
     }
 
     #[test]

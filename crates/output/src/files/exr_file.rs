@@ -1,8 +1,9 @@
 //! Rasters as OpenEXR: 32-bit floating point, linear, without exposure or white balance.
 //!
 //! Three bands become the channels R, G and B; any other number one channel each, named as the band (`band-2`
-//! where a name has letters outside Latin-1). The numbers are radiosities in W m⁻²; the radiance of a diffuse
-//! surface is the radiosity over π. Channel A is the part of the pixel in which a surface is seen; it is left
+//! where a name has letters outside Latin-1). The numbers are radiosities, or another quantity, in the
+//! scene's unit, both of which the comment of the layer names; the radiance of a diffuse surface is the
+//! radiosity over π. Channel A is the part of the pixel in which a surface is seen; it is left
 //! out if a band is called A. The radiosities are means over the whole pixel, as the format wants colours:
 //! multiplied by A.
 
@@ -34,11 +35,11 @@ pub enum ExrError {
     },
 }
 
-/// Writes `raster`.
+/// Writes `raster`, whose values are a `quantity` in a `unit`.
 ///
 /// # Errors
 /// Whatever the writer reports.
-pub fn write_exr(raster: &Raster, mut writer: impl Write) -> io::Result<()> {
+pub fn write_exr(raster: &Raster, [quantity, unit]: [&str; 2], mut writer: impl Write) -> io::Result<()> {
     let [width, height] = raster.size().map(|x| x as usize);
     let names = channels(raster.bands());
     let mut list: Vec<AnyChannel<FlatSamples>> = (names.iter().enumerate())
@@ -48,7 +49,7 @@ pub fn write_exr(raster: &Raster, mut writer: impl Write) -> io::Result<()> {
         list.push(channel(COVERAGE, raster.coverage().iter().map(|x| *x as f32).collect()));
     }
     let mut about = LayerAttributes::named("radiosity");
-    about.comments = Some(Text::from("radiosity in W/m2, linear; radiance is radiosity / pi"));
+    about.comments = Some(comment(quantity, unit));
     let channels = AnyChannels::sort(list.into_iter().collect());
     let layer = Layer::new((width, height), about, Encoding::SMALL_LOSSLESS, channels);
     // The format wants to seek, which a pipe cannot.
@@ -77,6 +78,22 @@ pub fn read_exr(reader: impl Read + Seek, bands: &[String]) -> Result<Raster, Ex
     let coverage = find(COVERAGE).map_or_else(|| vec![1.0; pixels], numbers);
     let values = (0..pixels).flat_map(|pixel| channels.iter().map(move |channel| channel[pixel])).collect();
     Ok(Raster::new([layer.size.0 as u32, layer.size.1 as u32], bands.to_vec(), values, coverage))
+}
+
+/// Comment that names the values and their unit, in ASCII: readers take other letters to be of Latin-1, as the
+/// format does, or of UTF-8. Powers come down to the line; what else is no ASCII becomes a question mark.
+fn comment(quantity: &str, unit: &str) -> Text {
+    let radiance = if quantity == "radiosity" { "; radiance is radiosity / pi" } else { "" };
+    let plain = |letter: char| match letter {
+        '⁻' => '-',
+        '¹' => '1',
+        '²' => '2',
+        '³' => '3',
+        letter if letter.is_ascii() => letter,
+        _ => '?',
+    };
+    let text: String = format!("{quantity} in {unit}, linear{radiance}").chars().map(plain).collect();
+    Text::new_or_panic(text)
 }
 
 fn channels(bands: &[String]) -> Vec<String> {
@@ -113,17 +130,25 @@ mod tests {
         for bands in [&["r", "g", "b"][..], &["grey"], &["450 nm", "λ", "zz", "a"]] {
             let raster = raster(bands);
             let mut bytes = Vec::new();
-            write_exr(&raster, &mut bytes).expect("a vector takes everything");
+            write_exr(&raster, ["radiosity", "W m⁻²"], &mut bytes).expect("a vector takes everything");
             let read = read_exr(Cursor::new(bytes), raster.bands()).expect("it is ours");
             assert_eq!(read, raster, "multiples of 1/8 are exact in 32 bits");
         }
     }
 
     #[test]
+    fn comments_name_quantity_and_unit() {
+        let told = |quantity: &str, unit: &str| comment(quantity, unit).to_string();
+        assert_eq!(told("illuminance", "lx"), "illuminance in lx, linear");
+        assert_eq!(told("radiosity", "W m⁻²"), "radiosity in W m-2, linear; radiance is radiosity / pi");
+        assert_eq!(told("importance", "1/area"), "importance in 1/area, linear");
+    }
+
+    #[test]
     fn other_files_and_bands_are_refused() {
         assert!(matches!(read_exr(Cursor::new(b"radiosity"), &[]), Err(ExrError::Format(_))));
         let mut bytes = Vec::new();
-        write_exr(&raster(&["grey"]), &mut bytes).expect("a vector takes everything");
+        write_exr(&raster(&["grey"]), ["illuminance", "lx"], &mut bytes).expect("a vector takes everything");
         let error = read_exr(Cursor::new(bytes), &["violet".to_owned()]).expect_err("there is no violet");
         assert_eq!(error.to_string(), "it has no channel \"violet\"; its channels: A, grey");
     }

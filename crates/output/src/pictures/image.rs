@@ -6,6 +6,7 @@
 use super::dither::dither;
 use super::tone::Tone;
 use crate::drawings::picture::Picture;
+use radiosity_reading::exposure::Exposure;
 use radiosity_reading::pictures::pixel_samples::PixelSamples;
 use radiosity_reading::pictures::raster::Raster;
 
@@ -23,22 +24,27 @@ impl<'a> Image<'a> {
         Self { raster, balance }
     }
 
-    /// Exposure that brings the brightest fiftieth of the non-black pixels to white: 1 over the 98th
-    /// percentile of their largest channel; 1 for a black picture.
-    pub fn automatic_exposure(&self) -> f64 {
+    /// Exposure that brings the brightest fiftieth of what is lit to white: 1 over the 98th percentile of the
+    /// largest channel of the pixels that are not black and see nothing that emits, or of all that are not
+    /// black where there are no others; 1 for a black picture.
+    pub fn automatic_exposure(&self) -> Exposure {
         let largest = |values: &[f64]| self.colour(values).into_iter().fold(0.0, f64::max);
-        let mut levels: Vec<f64> = self.raster.pixels().map(largest).filter(|x| *x > 0.0).collect();
-        if levels.is_empty() {
-            return 1.0;
-        }
+        let all = self.raster.pixels().map(largest).enumerate().filter(|(_, level)| *level > 0.0);
+        let (emitters, lit): (Vec<_>, Vec<_>) = all.partition(|(pixel, _)| self.raster.sees_emitter(*pixel));
+        let counted = if lit.is_empty() { emitters } else { lit };
+        let mut levels: Vec<f64> = counted.into_iter().map(|(_, level)| level).collect();
         levels.sort_by(f64::total_cmp);
-        1.0 / levels[(levels.len() - 1) * 98 / 100]
+        let white = levels.len().checked_sub(1).map_or(1.0, |last| levels[last * 98 / 100]);
+        Exposure::automatic(1.0 / white)
     }
 
-    /// The pixels times `exposure` as sRGB.
-    pub fn exposed(&self, exposure: f64, tone: Tone) -> Picture {
+    /// The pixels as sRGB: at an exposure that was chosen with a soft approach to white, at one that was asked
+    /// for in proportion.
+    pub fn exposed(&self, exposure: Exposure) -> Picture {
+        let tone = if exposure.is_automatic() { Tone::Shoulder } else { Tone::Linear };
         let [width, height] = self.raster.size();
-        let shown = |values: &[f64]| tone.shown(self.colour(values).map(|x| (x * exposure).max(0.0)));
+        let exposed = |x: f64| (x * exposure.factor()).max(0.0);
+        let shown = |values: &[f64]| tone.shown(self.colour(values).map(exposed));
         let pixel = |(index, values): (usize, &[f64])| {
             let light =
                 self.raster.samples(index).map_or_else(|| shown(values), |several| mean(several, shown));
@@ -47,11 +53,6 @@ impl<'a> Image<'a> {
             light.map(|x| code(x, dither))
         };
         Picture::new(width, height, self.raster.pixels().enumerate().map(pixel).collect())
-    }
-
-    /// The pixels at the automatic exposure, with a soft approach to white.
-    pub fn photograph(&self) -> Picture {
-        self.exposed(self.automatic_exposure(), Tone::Shoulder)
     }
 
     fn colour(&self, values: &[f64]) -> [f64; 3] {
@@ -91,14 +92,19 @@ mod tests {
 
     use super::*;
 
+    /// Both tones, white at 1.
+    fn both() -> [Exposure; 2] {
+        [Exposure::fixed(1.0), Exposure::automatic(1.0)]
+    }
+
     /// A grey picture of these radiosities, one pixel high.
     fn strip(values: &[f64]) -> Raster {
         let bands = vec!["grey".to_owned()];
         Raster::new([values.len() as u32, 1], bands, values.to_vec(), vec![1.0; values.len()])
     }
 
-    fn codes(raster: &Raster, exposure: f64, tone: Tone) -> Vec<u8> {
-        let picture = Image::new(raster, [1.0; 3]).exposed(exposure, tone);
+    fn codes(raster: &Raster, exposure: Exposure) -> Vec<u8> {
+        let picture = Image::new(raster, [1.0; 3]).exposed(exposure);
         (0..raster.size()[0] as i32).map(|x| picture.at(x, 0).expect("it is inside")[0]).collect()
     }
 
@@ -111,11 +117,26 @@ mod tests {
     #[test]
     fn greys_below_the_knee_are_in_proportion() {
         let greys: Vec<f64> = (0..160).map(|k| f64::from(k) / 200.0).collect();
-        for tone in [Tone::Linear, Tone::Shoulder] {
-            for (code, grey) in codes(&strip(&greys), 1.0, tone).into_iter().zip(&greys) {
+        for exposure in both() {
+            for (code, grey) in codes(&strip(&greys), exposure).into_iter().zip(&greys) {
                 assert!((f64::from(code) - 255.0 * encoded(*grey)).abs() < 1.0, "{grey}: {code}");
             }
         }
+    }
+
+    /// Walls below 0.5 and a lamp of 100 that fills a tenth of the picture: the walls decide, and the lamp where
+    /// it is all that is seen, or where nobody knows that it emits.
+    #[test]
+    fn what_emits_does_not_count_in_the_exposure() {
+        let values: Vec<f64> = (0..100).map(|k| if k < 10 { 100.0 } else { f64::from(k) / 200.0 }).collect();
+        let raster = strip(&values);
+        let factor = |raster: &Raster| Image::new(raster, [1.0; 3]).automatic_exposure().factor();
+        let lamp: Vec<bool> = values.iter().map(|x| *x > 1.0).collect();
+        // Of 90 walls, those after the place 89 · 98 / 100 are brighter than white.
+        assert_eq!(factor(&raster.clone().with_emitters(lamp)), 1.0 / (f64::from(10 + 87) / 200.0));
+        assert_eq!(factor(&raster.clone().with_emitters(vec![true; 100])), 0.01);
+        assert_eq!(factor(&raster), 0.01);
+        assert_eq!(factor(&strip(&[0.0; 4])), 1.0);
     }
 
     #[test]
@@ -125,7 +146,7 @@ mod tests {
             let count = (SIDE * SIDE) as usize;
             Raster::new([SIDE; 2], vec!["grey".to_owned()], vec![value; count], vec![1.0; count])
         };
-        let picture = |value: f64| Image::new(&flat(value), [1.0; 3]).exposed(1.0, Tone::Linear);
+        let picture = |value: f64| Image::new(&flat(value), [1.0; 3]).exposed(Exposure::fixed(1.0));
         for value in [0.01, 0.1234, 0.3, 0.5004, 0.77, 0.999] {
             let picture = picture(value);
             let codes = (0..SIDE as i32).flat_map(|y| (0..SIDE as i32).map(move |x| [x, y]));
@@ -147,9 +168,9 @@ mod tests {
         let seen = [LAMP, LAMP, LAMP, WALL, WALL, WALL, WALL, WALL, WALL].map(|x| vec![x]).to_vec();
         let raster = strip(&[WALL, (LAMP + 2.0 * WALL) / 3.0, LAMP]);
         let several = BTreeMap::from([(1, PixelSamples::new(seen, 1, 9))]);
-        for tone in [Tone::Linear, Tone::Shoulder] {
-            assert_eq!(codes(&raster, 1.0, tone)[1..], [255, 255], "the mean alone is burnt out");
-            let [wall, edge, lamp] = codes(&raster.clone().with_samples(several.clone()), 1.0, tone)[..]
+        for exposure in both() {
+            assert_eq!(codes(&raster, exposure)[1..], [255, 255], "the mean alone is burnt out");
+            let [wall, edge, lamp] = codes(&raster.clone().with_samples(several.clone()), exposure)[..]
             else {
                 panic!("three pixels");
             };

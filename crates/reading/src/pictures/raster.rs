@@ -17,6 +17,8 @@ pub struct Raster {
     coverage: Vec<f64>,
     /// Samples of the pixels that average several, by their places in row order.
     samples: BTreeMap<usize, PixelSamples>,
+    /// Whether something that emits is seen in each pixel; empty where that is not known.
+    emitters: Vec<bool>,
 }
 
 impl Raster {
@@ -28,13 +30,23 @@ impl Raster {
     pub fn new([width, height]: [u32; 2], bands: Vec<String>, values: Vec<f64>, coverage: Vec<f64>) -> Self {
         assert_eq!(coverage.len(), width as usize * height as usize, "one coverage per pixel");
         assert_eq!(values.len(), coverage.len() * bands.len(), "one value per pixel and band");
-        Self { width, height, bands, values, coverage, samples: BTreeMap::new() }
+        Self { width, height, bands, values, coverage, samples: BTreeMap::new(), emitters: Vec::new() }
     }
 
     /// The raster with the samples of pixels that average several, by their places in row order.
     #[must_use]
     pub fn with_samples(self, samples: BTreeMap<usize, PixelSamples>) -> Self {
         Self { samples, ..self }
+    }
+
+    /// The raster with what is known of emitters: whether each pixel, in row order, sees something that emits.
+    ///
+    /// # Panics
+    /// If there is not one entry per pixel.
+    #[must_use]
+    pub fn with_emitters(self, emitters: Vec<bool>) -> Self {
+        assert_eq!(emitters.len(), self.coverage.len(), "one entry per pixel");
+        Self { emitters, ..self }
     }
 
     /// Pixels across and down.
@@ -55,6 +67,11 @@ impl Raster {
     /// The samples that the pixel at a place in row order averages, if it averages several.
     pub fn samples(&self, pixel: usize) -> Option<&PixelSamples> {
         self.samples.get(&pixel)
+    }
+
+    /// Whether something that emits is known to be seen in the pixel at a place in row order.
+    pub fn sees_emitter(&self, pixel: usize) -> bool {
+        self.emitters.get(pixel).copied().unwrap_or(false)
     }
 
     /// Part of each pixel in which a front is seen, in row order.

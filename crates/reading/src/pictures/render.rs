@@ -90,7 +90,10 @@ pub fn render(
     let coverage = pixels.iter().map(|pixel| pixel.coverage).collect();
     let samples = pixels.iter_mut().map(|pixel| pixel.samples.take()).enumerate();
     let samples = samples.filter_map(|(index, samples)| Some((index, samples?))).collect();
-    Raster::new([camera.width, camera.height], bands, values, coverage).with_samples(samples)
+    let emitters = pixels.iter().map(|pixel| pixel.emits).collect();
+    Raster::new([camera.width, camera.height], bands, values, coverage)
+        .with_samples(samples)
+        .with_emitters(emitters)
 }
 
 /// Source of light of a picture of so many pixels unless told otherwise: gathered, if two threads do that
@@ -110,6 +113,8 @@ struct Pixel {
     radiosity: Vec<f64>,
     /// Part of the pixel in which a front is seen.
     coverage: f64,
+    /// Whether something that emits is seen in the pixel.
+    emits: bool,
     /// Samples that are averaged, if they are more than the middle.
     samples: Option<PixelSamples>,
 }
@@ -196,12 +201,23 @@ impl Shot<'_> {
         let (Some(seen), Some(irradiance)) = (lit.frame().seen(pixel), lit.irradiance(pixel)) else {
             return self.nothing();
         };
+        self.pixel(seen, irradiance)
+    }
+
+    /// A pixel that sees only this place, in this irradiance (W m⁻² per band).
+    fn pixel(&self, seen: &SeenPlace, irradiance: &[f64]) -> Pixel {
         let radiosity = self.light.shown(seen, irradiance.iter().copied());
-        Pixel { radiosity, coverage: 1.0, samples: None }
+        Pixel { radiosity, coverage: 1.0, emits: self.emits(seen), samples: None }
     }
 
     fn nothing(&self) -> Pixel {
-        Pixel { radiosity: vec![0.0; self.light.solution().bands().len()], coverage: 0.0, samples: None }
+        let radiosity = vec![0.0; self.light.solution().bands().len()];
+        Pixel { radiosity, coverage: 0.0, emits: false, samples: None }
+    }
+
+    /// Whether the element of a place emits.
+    fn emits(&self, seen: &SeenPlace) -> bool {
+        self.light.solution().bands().iter().any(|band| band.coating.exitance[seen.element] > 0.0)
     }
 
     /// Whether an edge of a surface crosses a pixel of a frame that begins with the row `first`. That does
@@ -268,8 +284,7 @@ impl Shot<'_> {
             let (Some(seen), Some(irradiance)) = (&seen[index], &irradiance[index]) else {
                 return self.nothing();
             };
-            let radiosity = self.light.shown(seen, irradiance.iter().copied());
-            Pixel { radiosity, coverage: 1.0, samples: None }
+            self.pixel(seen, irradiance)
         };
         ranks.map_even(PartName::Pixels, samples.len(), TOGETHER, shown)
     }
@@ -309,9 +324,10 @@ impl Shot<'_> {
     fn mean(&self, pixels: &[Pixel]) -> Pixel {
         let mut mean = self.nothing();
         let scale = 1.0 / pixels.len() as f64;
-        for Pixel { radiosity, coverage, .. } in pixels {
+        for Pixel { radiosity, coverage, emits, .. } in pixels {
             mean.radiosity.iter_mut().zip(radiosity).for_each(|(sum, value)| *sum += scale * value);
             mean.coverage += scale * coverage;
+            mean.emits |= emits;
         }
         let seen = pixels.iter().filter(|pixel| pixel.coverage > 0.0).map(|pixel| pixel.radiosity.clone());
         let samples = PixelSamples::new(seen.collect(), mean.radiosity.len(), pixels.len());

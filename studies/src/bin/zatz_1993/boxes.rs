@@ -12,9 +12,9 @@ use radiosity::output::drawings::false_colour::false_colour;
 use radiosity::output::drawings::picture::Picture;
 use radiosity::output::drawings::scale::Scale;
 use radiosity::output::pictures::image::Image;
-use radiosity::output::pictures::tone::Tone;
 use radiosity::published::zatz1993::masking::{Average, Masking};
 use radiosity::reading::difference::Difference;
+use radiosity::reading::exposure::Exposure;
 use radiosity::reading::pictures::raster::Raster;
 use radiosity::reading::pictures::render::render;
 use radiosity::reading::quality::Quality;
@@ -44,7 +44,7 @@ pub(crate) fn figure_9(out: &mut impl Write) -> Result<(), Box<dyn Error>> {
     let cells = NonZeroUsize::new(20).ok_or("no cells")?;
     let masks = Some(Masking { cells, average: Average::Plain });
     let (mut above, mut below) = (Vec::new(), Vec::new());
-    let exposure = Image::new(&exact.raster, [1.0; 3]).automatic_exposure();
+    let exposure = Exposure::fixed(Image::new(&exact.raster, [1.0; 3]).automatic_exposure().factor());
     writeln!(
         out,
         "| figure 9, 11 | rules | unknowns | CPU time, s | row sums | pairs cut at T-contacts | rms of pixels, % of mean | largest, % |"
@@ -62,7 +62,7 @@ pub(crate) fn figure_9(out: &mut impl Write) -> Result<(), Box<dyn Error>> {
             found.unknowns, found.seconds, found.cut, difference.rms, difference.largest
         )?;
         if kernel.is_some() {
-            above.push(Image::new(&found.raster, [1.0; 3]).exposed(exposure, Tone::Linear));
+            above.push(Image::new(&found.raster, [1.0; 3]).exposed(exposure));
             below.push(false_colour(&difference.field, &Scale::diverging(ENDS)));
         }
     }

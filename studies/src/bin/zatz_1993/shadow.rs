@@ -24,10 +24,10 @@ use radiosity::output::drawings::false_colour::false_colour;
 use radiosity::output::drawings::picture::Picture;
 use radiosity::output::drawings::scale::Scale;
 use radiosity::output::pictures::image::Image;
-use radiosity::output::pictures::tone::Tone;
 use radiosity::published::zatz1993::masking::{Average, Masking};
 use radiosity::published::zatz1993::transfers::PaperRules;
 use radiosity::reading::difference::Difference;
+use radiosity::reading::exposure::Exposure;
 use radiosity::reading::pictures::pinhole::Pinhole;
 use radiosity::reading::pictures::raster::Raster;
 use radiosity::reading::pictures::render::render;
@@ -82,9 +82,8 @@ pub(crate) fn figure_7(out: &mut impl Write) -> Result<(), Box<dyn Error>> {
         let floor = 100.0 * error(raster, &exact, &floor);
         writeln!(out, "| {name} | {floor:.2} | {rms:.2} | {largest:.1} |")?;
     }
-    let exposure = EXPOSURE * Image::new(&exact, [1.0; 3]).automatic_exposure();
-    let photographs =
-        taken.iter().map(|(_, raster)| Image::new(raster, [1.0; 3]).exposed(exposure, Tone::Linear));
+    let exposure = Exposure::fixed(EXPOSURE * Image::new(&exact, [1.0; 3]).automatic_exposure().factor());
+    let photographs = taken.iter().map(|(_, raster)| Image::new(raster, [1.0; 3]).exposed(exposure));
     write_side_by_side("pictures", &photographs.collect::<Vec<_>>())?;
     let scale = Scale::diverging(ENDS);
     let differences =

@@ -9,6 +9,7 @@ use serde::Serialize;
 use super::first_view_settings::{FirstViewColours, FirstViewSettings};
 use crate::drawings::scale::Scale;
 use crate::pictures::tessellation::Triangulation;
+use radiosity_reading::exposure::Exposure;
 use radiosity_reading::pictures::lightmap::{Lightmap, LightmapPart};
 use radiosity_reading::quantity::Quantity;
 
@@ -84,7 +85,7 @@ impl<'a> Header<'a> {
         lightmap: &'a Lightmap,
         triangles: &[Triangulation],
         start: &'a FirstViewSettings,
-        automatic: f64,
+        automatic: Exposure,
         balance: [f64; 3],
         scale: f32,
     ) -> Self {
@@ -109,7 +110,7 @@ impl<'a> Header<'a> {
             middle: scene.middle.to_array(),
             camera: View::of(&start.camera),
             samples: start.samples,
-            automatic,
+            automatic: automatic.factor(),
             exposure: start.exposure,
             quantity: match start.shown {
                 Quantity::Radiosity => "radiosity",

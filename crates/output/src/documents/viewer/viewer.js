@@ -94,11 +94,13 @@ class Viewer {
   fit() {
     if (this.state.falseColours) return this.set({ range: this.fitted() });
     const [weights, isColour] = this.weights();
-    const levels = this.survey().map((reading) => {
+    const levels = (readings) => readings.map((reading) => {
       const colours = reading[this.state.quantity].map((x, band) => weights[band] * x);
       return isColour ? Math.max(...colours) : colours.reduce((sum, x) => sum + x, 0);
-    });
-    const lit = levels.filter((level) => level > 0);
+    }).filter((level) => level > 0);
+    const all = this.survey();
+    const others = levels(all.filter(({ surface }) => !this.light.emits(surface.index)));
+    const lit = others.length ? others : levels(all);
     return this.set({ exposure: lit.length ? 1 / percentiles(lit, [0.98])[0] : this.header.automatic });
   }
 

@@ -1,4 +1,4 @@
-//! The view that a page opens with, by the light of its textures. The exposure of the page is chosen for it.
+//! A view of surfaces by the light of their textures. Files that hold these are exposed for it.
 //!
 //! Pixels average samples where they or a neighbour see another surface, as those of pictures do: where a
 //! lamp fills about a fiftieth of the view, its borders decide on the exposure.
@@ -9,7 +9,6 @@ use radiosity_solve::solved::Solved;
 use radiosity_work::interruption::check_interrupt;
 use rayon::prelude::*;
 
-use super::first_view_settings::FirstViewSettings;
 use radiosity_reading::pictures::lightmap::Lightmap;
 use radiosity_reading::pictures::pinhole::Pinhole;
 use radiosity_reading::pictures::raster::Raster;
@@ -18,25 +17,35 @@ use radiosity_reading::quantity::Quantity;
 /// Most pixels along a side. Chosen.
 const SIDE: u32 = 1024;
 
-/// The first view, at the factors of its groups.
-pub(super) fn first_view(solved: &Solved, lightmap: &Lightmap, start: &FirstViewSettings) -> Raster {
-    let camera = smaller(&start.camera);
-    let first_view = FirstView { solved, lightmap, shown: start.shown, view: Pinhole::new(&camera) };
+/// A raster of what `camera` sees of the quantity `shown`, at the factors of light groups, by `samples × samples`
+/// rays a pixel where surfaces end.
+pub fn lightmap_view(
+    solved: &Solved,
+    lightmap: &Lightmap,
+    camera: &Camera,
+    samples: u32,
+    shown: Quantity,
+) -> Raster {
+    let camera = smaller(camera);
+    let lightmap_view = LightmapView { solved, lightmap, shown, view: Pinhole::new(&camera) };
     let size = [camera.width, camera.height];
     let [count, width] = [camera.width * camera.height, camera.width].map(|number| number as usize);
     let all = || (0..count).into_par_iter().with_min_len(width);
     let middle = |pixel: usize| {
         check_interrupt();
-        Some(first_view.meet(place(size, pixel as u32, [0.5; 2]))?.0)
+        Some(lightmap_view.meet(place(size, pixel as u32, [0.5; 2]))?.0)
     };
     let middles: Vec<Option<usize>> = all().map(middle).collect();
     let pixels = all().map(|pixel| {
         check_interrupt();
-        let samples = if is_inside(&middles, size, pixel as u32) { 1 } else { start.samples };
-        first_view.mean(size, pixel as u32, samples)
+        let samples = if is_inside(&middles, size, pixel as u32) { 1 } else { samples };
+        lightmap_view.mean(size, pixel as u32, samples)
     });
-    let (values, coverage): (Vec<Vec<f64>>, Vec<f64>) = pixels.unzip();
-    Raster::new(size, solved.scene.bands.clone(), values.concat(), coverage)
+    let pixels: Vec<MeanPixel> = pixels.collect();
+    let values = pixels.iter().flat_map(|pixel| &pixel.values).copied().collect();
+    let coverage = pixels.iter().map(|pixel| pixel.coverage).collect();
+    let emitters = pixels.iter().map(|pixel| pixel.emits).collect();
+    Raster::new(size, solved.scene.bands.clone(), values, coverage).with_emitters(emitters)
 }
 
 /// The camera with fewer pixels of the same shape.
@@ -61,35 +70,47 @@ fn is_inside(middles: &[Option<usize>], [width, height]: [u32; 2], pixel: u32) -
     beside.all(|other| middles[other as usize] == middles[pixel as usize])
 }
 
-struct FirstView<'a> {
+struct LightmapView<'a> {
     solved: &'a Solved,
     lightmap: &'a Lightmap,
     shown: Quantity,
     view: Pinhole,
 }
 
-impl FirstView<'_> {
+/// A pixel by several rays.
+struct MeanPixel {
+    /// Mean of the quantity per band.
+    values: Vec<f64>,
+    /// Part of the rays that meet a front.
+    coverage: f64,
+    /// Whether one of them meets something that emits.
+    emits: bool,
+}
+
+impl LightmapView<'_> {
     /// The surface, and the parameters on it, whose front is met through a point of the picture.
     fn meet(&self, [x, y]: [f64; 2]) -> Option<(usize, [f64; 2])> {
         let Encounter { surface, hit, front } = self.solved.visibility().nearest(&self.view.ray(x, y))?;
         front.then_some((surface, [hit.u, hit.v]))
     }
 
-    /// The mean quantity per band of a pixel by `samples × samples` rays, and the part of them that meet a
-    /// front.
-    fn mean(&self, size: [u32; 2], pixel: u32, samples: u32) -> (Vec<f64>, f64) {
+    /// The mean of a pixel by `samples × samples` rays.
+    fn mean(&self, size: [u32; 2], pixel: u32, samples: u32) -> MeanPixel {
         let part = |k: u32| (f64::from(k) + 0.5) / f64::from(samples);
         let share = 1.0 / f64::from(samples * samples);
-        let (mut values, mut coverage) = (vec![0.0; self.solved.scene.bands.len()], 0.0);
+        let bands = self.solved.scene.bands.len();
+        let mut mean = MeanPixel { values: vec![0.0; bands], coverage: 0.0, emits: false };
         for k in 0..samples * samples {
             let at = place(size, pixel, [part(k % samples), part(k / samples)]);
             let Some((surface, parameters)) = self.meet(at) else { continue };
-            coverage += share;
-            for (band, sum) in values.iter_mut().enumerate() {
+            mean.coverage += share;
+            for (band, sum) in mean.values.iter_mut().enumerate() {
                 *sum += share * self.value(band, surface, parameters);
             }
+            let scene_surface = &self.solved.scene.surfaces[surface];
+            mean.emits |= (0..bands).any(|band| scene_surface.exitance(band) > 0.0);
         }
-        (values, coverage)
+        mean
     }
 
     /// The quantity in a band at a place of a surface.
