@@ -10,8 +10,9 @@
 //! ```
 //!
 //! beside the nodes' own errors, where polynomials of one degree less say something else, or where it amplifies
-//! errors, until nodes are about as near to each other as the places are that are shown. In the dark more is
-//! allowed, as eyes and pictures do. Nodes are shared by all places, whatever shows them: pixels, their samples,
+//! errors, until nodes are about as near to each other as the places are that are shown. From half of that on the
+//! fits of both lattices are mixed, so that light has no steps where one takes over. In the dark more is allowed, as
+//! eyes and pictures do. Nodes are shared by all places, whatever shows them: pixels, their samples,
 //! texels. Their number grows with the detail of the light, not with that of the places.
 //!
 //! References: G. Ward, F. Rubinstein, R. Clear, *A ray tracing solution for diffuse interreflection*, SIGGRAPH
@@ -82,6 +83,22 @@ pub(crate) struct ComputedLight {
     pub error: f64,
 }
 
+/// A place, by its index, whose light is not known yet but for the rest of this share.
+#[derive(Clone, Copy, Debug)]
+struct OpenPlace {
+    place: usize,
+    share: f64,
+}
+
+/// Light by a fit.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+struct FittedLight {
+    /// Irradiance per band (W m⁻²).
+    bands: Vec<f64>,
+    /// Share that it gets; the rest is for a finer lattice.
+    trust: f64,
+}
+
 /// A node of a lattice.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 struct Node {
@@ -114,20 +131,26 @@ impl<'a> LightField<'a> {
     pub(crate) fn at(&mut self, places: &[Option<AskedPlace>], work: &Work<'_>) -> Vec<f64> {
         let bands = self.light.solution().bands().len();
         let mut values = vec![0.0; places.len() * bands];
-        let mut open: Vec<usize> = (0..places.len()).filter(|place| places[*place].is_some()).collect();
+        let asked = (0..places.len()).filter(|place| places[*place].is_some());
+        let mut open: Vec<OpenPlace> = asked.map(|place| OpenPlace { place, share: 1.0 }).collect();
         self.prepare(places.iter().flatten());
         let mut level = 0;
         while !open.is_empty() {
-            let asked = |place: usize| places[open[place]].as_ref();
+            let asked = |index: usize| places[open[index].place].as_ref();
             self.compute(level, (0..open.len()).filter_map(asked), work);
-            let fit = |place: usize| asked(place).and_then(|asked| self.fitted(asked, level));
-            let found: Vec<Option<Vec<f64>>> =
+            let fit = |index: usize| asked(index).and_then(|asked| self.fitted(asked, level));
+            let found: Vec<Option<FittedLight>> =
                 work.ranks.map_even(PartName::FittedLight, open.len(), TOGETHER, fit);
             let mut left = Vec::new();
-            for (place, value) in open.into_iter().zip(found) {
-                match value {
-                    Some(value) => values[place * bands..(place + 1) * bands].copy_from_slice(&value),
-                    None => left.push(place),
+            for (OpenPlace { place, share }, found) in open.into_iter().zip(found) {
+                let Some(FittedLight { bands: fitted, trust }) = found else {
+                    left.push(OpenPlace { place, share });
+                    continue;
+                };
+                let own = &mut values[place * bands..(place + 1) * bands];
+                own.iter_mut().zip(fitted).for_each(|(sum, value)| *sum += share * trust * value);
+                if trust < 1.0 {
+                    left.push(OpenPlace { place, share: share * (1.0 - trust) });
                 }
             }
             open = left;
@@ -176,35 +199,41 @@ impl<'a> LightField<'a> {
         &self.lattices[&asked.seen.place.surface]
     }
 
-    /// The light of a place by the nodes of a lattice around it; None where a finer one is wanted.
-    fn fitted(&self, asked: &AskedPlace, level: u32) -> Option<Vec<f64>> {
+    /// The light of a place by the nodes of a lattice around it; None where all of it is wanted from a finer one.
+    fn fitted(&self, asked: &AskedPlace, level: u32) -> Option<FittedLight> {
         let lattice = self.lattice(asked);
         let fit = self.fit(lattice, asked, level);
         let apart = lattice.side(level) / asked.footprint;
         let finest = if self.light.gathers_by_rays() { FINEST_BY_RAYS } else { FINEST };
         let is_last = apart < finest || level == Lattice::FINEST;
         let found = fit.found();
-        match found.as_ref().filter(|found| self.is_trusted(found, apart <= SMALL, asked.beside)) {
-            Some(found) => Some(found.value.iter().map(|value| value.max(0.0)).collect()),
-            None if is_last => {
+        let trust = found.as_ref().map_or(0.0, |found| self.trust(found, apart <= SMALL, asked.beside));
+        match found {
+            Some(found) if trust > 0.0 => {
+                let bands = found.value.iter().map(|value| value.max(0.0)).collect();
+                Some(FittedLight { bands, trust: if is_last { 1.0 } else { trust } })
+            }
+            found if is_last => {
                 let found = found.filter(|found| found.amplified <= AMPLIFIED);
                 let value = found.map(|found| fit.within(found.value)).or_else(|| fit.blend());
-                Some(value.unwrap_or_else(|| self.gathered(&asked.seen).bands))
+                let bands = value.unwrap_or_else(|| self.gathered(&asked.seen).bands);
+                Some(FittedLight { bands, trust: 1.0 })
             }
-            None => None,
+            _ => None,
         }
     }
 
-    /// Whether the value of a fit is trusted beside `other` light, where more is allowed if it `is_small`. Light
-    /// below 0 by no more than a fit may leave is none.
-    fn is_trusted(&self, found: &FitResult, is_small: bool, other: f64) -> bool {
+    /// Share, from 0 to 1, that the value of a fit gets beside `other` light, where more is allowed if it
+    /// `is_small`. Light below 0 by no more than a fit may leave is none.
+    fn trust(&self, found: &FitResult, is_small: bool, other: f64) -> f64 {
         let all = found.value.iter().map(|value| value.max(0.0)).sum::<f64>() + other;
         let rough = if is_small { 2.0 } else { 1.0 } * ROUGH * (all * all.max(self.mean)).sqrt();
-        let most = rough.hypot(found.noise);
-        found.amplified <= AMPLIFIED
-            && found.residual <= most
-            && found.bend <= BENT * most
-            && found.value.iter().all(|value| *value >= -rough)
+        if found.amplified > AMPLIFIED || found.value.iter().any(|value| *value < -rough) {
+            return 0.0;
+        }
+        let beyond = |left: f64| (left * left - found.noise * found.noise).max(0.0).sqrt();
+        let quality = beyond(found.residual).max(beyond(found.bend / BENT)) / rough;
+        (2.0 * (1.0 - quality)).clamp(0.0, 1.0)
     }
 
     /// The fit of the nodes around a place, on the same smooth surface.

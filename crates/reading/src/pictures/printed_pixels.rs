@@ -8,7 +8,7 @@ use radiosity_audit::{Pixel, Spot, evenly};
 use radiosity_scene::{Camera, Scene};
 use radiosity_visibility::Visibility;
 
-use super::frame_light::forecast::INTERPOLATED;
+use super::frame_light::forecast::nodes;
 use super::frame_light::picture_light::GATHERED_FOR_PICTURES;
 use super::pinhole::Pinhole;
 use super::raster::Raster;
@@ -56,7 +56,7 @@ impl<'a> PrintedPixels<'a> {
 
     /// About the number of points at which the light of the picture was gathered.
     pub fn gathered_points(&self) -> usize {
-        (self.raster.coverage().len() as f64 / INTERPOLATED) as usize
+        nodes(self.raster.coverage().len() as f64) as usize
     }
 
     /// Number of readings.

@@ -18,7 +18,7 @@ use serde::{Deserialize, Serialize};
 
 use super::frame_light::FrameLight;
 use super::frame_light::eye::{Eye, SeenPlace};
-use super::frame_light::forecast::{INTERPOLATED, seconds};
+use super::frame_light::forecast::{nodes, seconds};
 use super::frame_light::frame::Frame;
 use super::frame_light::neighbourhoods::Neighbourhoods;
 use super::frame_light::picture_light::{AVERAGED, GATHERED_FOR_PICTURES, PictureLight};
@@ -99,7 +99,7 @@ pub fn render(
 /// Source of light of a picture of so many pixels unless told otherwise: gathered, if two threads do that
 /// within some ten seconds, else with direct light alone recomputed. Direct light takes its time in both.
 pub fn usual_read(solution: &Solution, visibility: &Visibility, pixels: u64) -> ReadMode {
-    let points = pixels as f64 / INTERPOLATED;
+    let points = nodes(pixels as f64);
     let eps = AVERAGED * GATHERED_FOR_PICTURES;
     let seconds = GatherMethod::Auto.seconds(solution, visibility, eps, points, f64::INFINITY, false);
     let gathered = seconds / THREADS;

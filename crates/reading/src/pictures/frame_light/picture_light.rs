@@ -27,7 +27,7 @@ pub(crate) const GATHERED_FOR_PICTURES: f64 = 3e-3;
 /// Error of gathered light by rays, over the accuracy asked for: ten or so values are averaged where light is
 /// interpolated. Measured in an office: with 2, 3.2 and 5 pictures erred by 0.32, 0.35 and 0.43 % (L2), and a node
 /// took 1.7, 1.0 and 0.5 ms. Chosen.
-pub(crate) const AVERAGED: f64 = 5.0;
+pub(crate) const AVERAGED: f64 = 4.0;
 
 /// Error of direct light in penumbrae, over the accuracy asked for. Chosen: the eye finds no steps there.
 const IN_PENUMBRA: f64 = 2.0;
