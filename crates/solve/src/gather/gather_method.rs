@@ -31,6 +31,13 @@ use crate::solution::Solution;
 const RAY: f64 = 1.2e-6;
 const WALK: f64 = 4e-6;
 
+/// Coarsest accuracy of a draft, and accuracy that light is gathered to by cells where a coarser one is asked
+/// for, as of solutions by rays: rays err by what they are asked for, cells by more in dark places, and fine
+/// cells are no dearer there. Measured beside the shadow of a table: with 1e-2, 2e-3, 1.25e-3 and 3e-4 readings
+/// erred by 20, 20, 8 and .3 %, after .73, .79, .78 and .65 s.
+const DRAFT: f64 = 2e-3;
+const BY_CELLS: f64 = 3e-4;
+
 /// Points that share the tables of cells where it is not known how many are read. Chosen: in rooms a dozen to a hundred
 /// take less than twice the time of the better choice.
 pub const SOME_POINTS: f64 = 25.0;
@@ -129,6 +136,19 @@ impl<'a> Gathering<'a> {
 }
 
 impl GatherMethod {
+    /// The light of `solution` for readings of the relative accuracy `eps`, gathered `twice` or once by what this
+    /// method chooses: to that by rays, in drafts to a finer one by cells.
+    pub fn readings<'a>(
+        self,
+        solution: &'a Solution,
+        visibility: &'a Visibility,
+        eps: f64,
+        twice: bool,
+    ) -> Gathering<'a> {
+        let by_cells = if eps > DRAFT { BY_CELLS } else { eps };
+        self.gathering(solution, visibility, by_cells, eps / by_cells, SOME_POINTS, twice)
+    }
+
     /// The light of `solution`, gathered `twice` or once by what this method chooses: by cells to about the
     /// relative accuracy `eps`, by rays to `rougher` times that; about so many `points` are read.
     pub fn gathering<'a>(
