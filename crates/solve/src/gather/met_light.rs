@@ -53,12 +53,12 @@ pub(super) struct Held {
 }
 
 impl Held {
-    /// Those of readings. Widths measured in a shop, a classroom and a temple: with 0.25 and 2 for 1 the error was the
-    /// same, the time up to twice as long and the same. Bends measured in sixty random rooms of diffuse lamps: without
-    /// a limit the largest error of a room was 2.0 %, with 0.3 and 0.1 1.3 and 1.4 %, in the same time.
+    /// Limits of readings. Widths measured in a shop, a classroom and a temple: with 0.25 and 2 for 1 the error was
+    /// the same, the time up to twice as long and the same. Bends measured in sixty random rooms of diffuse lamps:
+    /// without a limit the largest error of a room was 2.0 %, with 0.3 and 0.1 1.3 and 1.4 %, in the same time.
     pub(super) const READ: Self = Self { small: 1.0, smooth: 0.3 };
 
-    /// Those where only reflected light is gathered, for pictures: there polynomials are left only where things nearly
+    /// Limits where only reflected light is gathered, for pictures: polynomials are left only where things nearly
     /// touch, and shadows matter most. Measured at the teapot: errors of 0.55, 0.50, 0.41 and 0.36 % in 14, 17, 23 and
     /// 28 s with polynomials everywhere, 10, 4 and 1.
     pub(super) const BEHIND_PIXELS: Self = Self { small: 10.0, smooth: f64::INFINITY };
@@ -74,7 +74,7 @@ pub(super) enum Ending {
 }
 
 impl Ending {
-    /// Those of the ray that `chance` belongs to.
+    /// Sources of the light where the ray ends that `chance` belongs to.
     pub(super) fn of_ray(self, chance: u64) -> EndLight {
         match self {
             Self::Polynomials(held) => EndLight::Direct { chance, held },

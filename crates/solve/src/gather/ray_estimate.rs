@@ -38,7 +38,7 @@ pub(super) struct Batches {
 pub(super) struct Beside<'s> {
     /// Mean radiosity of the scene.
     pub(super) scale: &'s [f64],
-    /// That relative to which errors are to be small where less arrives.
+    /// Irradiance relative to which errors are to be small where less arrives.
     pub(super) dark: &'s [f64],
     /// Light that arrives too.
     pub(super) other: &'s [f64],
