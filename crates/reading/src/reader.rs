@@ -3,18 +3,11 @@
 use radiosity_geom::DVec3;
 use radiosity_light::direct::DirectLight;
 use radiosity_light::receiver_point::ReceiverPoint;
-use radiosity_solve::gather::gather_method::{GatherMethod, Gathering, SOME_POINTS};
+use radiosity_solve::gather::gather_method::{GatherMethod, Gathering};
 use radiosity_solve::gather::read_irradiance::ReadIrradiance;
 use radiosity_solve::solution::{Solution, SurfacePlace};
 use radiosity_visibility::Visibility;
 use serde::Deserialize;
-
-/// Coarsest accuracy of a draft, and accuracy that light is gathered to by cells where a coarser one is asked
-/// for, as of solutions by rays: rays err by what they are asked for, cells by more in dark places, and fine
-/// cells are no dearer there. Measured beside the shadow of a table: with 1e-2, 2e-3, 1.25e-3 and 3e-4 readings
-/// erred by 20, 20, 8 and .3 %, after .73, .79, .78 and .65 s.
-const DRAFT: f64 = 2e-3;
-const BY_CELLS: f64 = 3e-4;
 
 /// The source of irradiance.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
@@ -71,16 +64,7 @@ impl<'a> Reader<'a> {
                 RecomputedLight::Direct(DirectLight::within(&solution.emitters(), visibility, eps))
             }
             ReadMode::Gather | ReadMode::GatherTwice => {
-                let by_cells = if eps > DRAFT { BY_CELLS } else { eps };
-                let rougher = eps / by_cells;
-                RecomputedLight::Gathered(by.gathering(
-                    solution,
-                    visibility,
-                    by_cells,
-                    rougher,
-                    SOME_POINTS,
-                    twice,
-                ))
+                RecomputedLight::Gathered(by.readings(solution, visibility, eps, twice))
             }
         };
         Self { solution, visibility, light }

@@ -1,9 +1,8 @@
 //! Places where the polynomials of a solution say too little of the light: narrow gaps, and what is near large elements
 //! over which light bends.
 //!
-//! In a *gap* of height h between surfaces of the diagonal d about (h/d)² of the light outside comes to its middle.
-//! What is met from there is the light of the gap itself, of which polynomials on elements that reach out of it know
-//! nothing. Walks (`super::walked_light`) need none.
+//! Of the light of a gap itself, which is all that is met there (`super::narrow_gaps`), polynomials know nothing. Walks
+//! (`super::walked_light`) need none.
 //!
 //! What rays meet or cells are made of has the polynomials of reflected light. A point is *doubtful*, with its light E,
 //! the mean irradiance Ē of all surfaces, and b the root mean square of the part of the highest degree of the radiosity
@@ -19,29 +18,21 @@
 //! all of the radiosity there that varies. Then the reflected light is gathered by walks that end at light that is
 //! trusted, beside the direct light, which is known.
 
-use radiosity_elements::Element;
+use std::sync::Arc;
+
 use radiosity_elements::sampling::kronecker;
 use radiosity_elements::sampling::lambert::lambert;
 use radiosity_elements::sampling::shift::{number_of, shift, shifted};
-use radiosity_geom::{COINCIDENT, Rect};
 use radiosity_light::receiver_point::ReceiverPoint;
-use radiosity_visibility::Visibility;
 
 use crate::gather::bends::{Part, SentLight, bends};
+use crate::gather::met_light::MetLight;
+use crate::gather::narrow_gaps::NarrowGaps;
 use crate::gather::ray_gather::{Beyond, RayGather};
 use crate::gather::read_irradiance::{Deviation, ReadIrradiance};
 use crate::gather::receiver::Receiver;
 use crate::gather::sent_rays::Met;
 use crate::gather::trusted_light::is_seen_large;
-use crate::solution::Solution;
-
-/// Height of a gap over the diagonals of both surfaces up to which it is narrow: then about its square of the light
-/// outside comes to its middle. Chosen.
-const NARROW: f64 = 0.03;
-
-/// Height of a gap over the diagonal of the scene up to which it is narrow: mats lie closer, and storeys, however wide,
-/// are higher. Chosen.
-const NARROW_IN_SCENE: f64 = 0.01;
 
 /// Doubt about the light of a point over that light, and over the mean of all surfaces, from which on it is read anew.
 /// Measured on sixty random rooms of 780 readings: of the 14 that were off by 3 % or more, and the 49 by 1 %, 12 and 36
@@ -80,14 +71,12 @@ pub(super) const ANEW: f64 = 7e-3;
 /// The doubtful places of a scene whose surfaces cast shadows.
 #[derive(Debug)]
 pub(super) struct DoubtfulPlaces<'a> {
-    solution: &'a Solution,
-    visibility: &'a Visibility,
+    light: Arc<MetLight<'a>>,
+    gaps: NarrowGaps<'a>,
     /// Light in gaps.
     walks: RayGather<'a>,
     /// Reflected light of what is read anew, and where there are many receivers in gaps.
     shadows: RayGather<'a>,
-    /// Mean irradiance per band of all surfaces (W m⁻²).
-    usual: Vec<f64>,
     /// Part of the reflected light of each element in its polynomials of the highest degree, over the usual light.
     bends: Vec<f64>,
     /// Part of it that varies over the element.
@@ -95,43 +84,39 @@ pub(super) struct DoubtfulPlaces<'a> {
 }
 
 impl<'a> DoubtfulPlaces<'a> {
-    /// The places of a solution that rays read to about the relative accuracy `eps`; None where rays meet nothing, or
-    /// masks or the number of reflections tell what is read.
-    pub(super) fn of(solution: &'a Solution, visibility: &'a Visibility, eps: f64) -> Option<Self> {
-        let is_plain = visibility.casts() && solution.masked().is_none() && !solution.is_truncated();
-        is_plain.then(|| {
-            let usual = solution.mean_arriving();
-            let [bends, varying] =
-                [Part::Highest, Part::Varying].map(|part| bends(solution, &usual, SentLight::Again, part));
-            let lit = usual.iter().map(|usual| SHADOWED * usual).collect();
-            let shadows = RayGather::new(solution, visibility, eps.max(ANEW), Beyond::Trusted).with_dark(lit);
-            let walks = RayGather::new(solution, visibility, eps.max(BY_WALKS), Beyond::Walked);
-            Self { solution, visibility, walks, shadows, usual, bends, varying }
-        })
+    /// The places where the polynomials of this `light`, read to about the relative accuracy `eps`, say too little.
+    pub(super) fn of(light: Arc<MetLight<'a>>, gaps: NarrowGaps<'a>, eps: f64) -> Self {
+        let of_part = |part| bends(light.solution, &light.usual, SentLight::Again, part);
+        let [bends, varying] = [Part::Highest, Part::Varying].map(of_part);
+        let lit = light.usual.iter().map(|usual| SHADOWED * usual).collect();
+        let gather = |finest: f64, beyond| RayGather::of(Arc::clone(&light), eps.max(finest), beyond);
+        let shadows = gather(ANEW, Beyond::Trusted).with_dark(lit);
+        let walks = gather(BY_WALKS, Beyond::Walked);
+        Self { light, gaps, walks, shadows, bends, varying }
     }
 
     /// All light of a point in a gap; None elsewhere.
     pub(super) fn in_gap(&self, receiver: &ReceiverPoint) -> Option<ReadIrradiance> {
-        self.hold(receiver).then(|| known_beside(self.walks.read(&Receiver::Point(*receiver))))
+        self.gaps.hold(receiver).then(|| known_beside(self.walks.read(&Receiver::Point(*receiver))))
     }
 
     /// The reflected light of a point in a gap, one of many, beside the direct light `lit` (W m⁻² per band); None
     /// elsewhere.
     pub(super) fn reflected_in_gap(&self, receiver: &ReceiverPoint, lit: &[f64]) -> Option<ReadIrradiance> {
         let origin = Receiver::Point(*receiver);
-        self.hold(receiver).then(|| self.shadows.reflected_alone(&origin, lit))
+        self.gaps.hold(receiver).then(|| self.shadows.reflected_alone(&origin, lit))
     }
 
     /// The light of a doubtful point or patch, where so much is `lit` by emitters and so much `reflected` light was
     /// found (W m⁻² per band); None elsewhere.
     pub(super) fn anew(&self, origin: &Receiver, lit: &[f64], reflected: &[f64]) -> Option<ReadIrradiance> {
         let beside = |light: &[f64]| -> f64 {
-            let parts = light.iter().zip(&self.usual);
+            let parts = light.iter().zip(&self.light.usual);
             parts.map(|(light, usual)| light / usual.max(f64::MIN_POSITIVE)).sum::<f64>() / light.len() as f64
         };
         let (lit_part, reflected_part) = (beside(lit), beside(reflected));
         let all = lit_part + reflected_part;
-        if !self.visibility.has_obstacles() {
+        if !self.light.rays.visibility.has_obstacles() {
             return None;
         }
         let is_doubtful = match origin {
@@ -141,7 +126,7 @@ impl<'a> DoubtfulPlaces<'a> {
             Receiver::Patch(..) => {
                 let is_near_unknown =
                     || self.doubt(&origin.middle(), &self.bends) > DOUBTFUL_OVER_PATCH * all + NOTHING;
-                let is_in_gap = || all > NOTHING && self.hold(&origin.middle());
+                let is_in_gap = || all > NOTHING && self.gaps.hold(&origin.middle());
                 all < SHADOWED && (is_near_unknown() || is_in_gap())
             }
         };
@@ -151,7 +136,7 @@ impl<'a> DoubtfulPlaces<'a> {
     /// Error that the polynomials of large elements about a point may make there, over the usual light: by the bends of
     /// the elements, or by what is `beside` its surface, of those that this divides.
     fn doubt(&self, receiver: &ReceiverPoint, beside: &[f64]) -> f64 {
-        let rays = self.walks.rays();
+        let rays = &self.light.rays;
         let [position, normal] = [receiver.position, receiver.normal].map(|vector| vector.to_array());
         let offset: [f64; 2] = shift(number_of(position.into_iter().chain(normal)));
         let of_ray = |index: u64| {
@@ -167,37 +152,12 @@ impl<'a> DoubtfulPlaces<'a> {
 
     /// Whether the surface that a point lies on divides an element that a ray from there met, near where it met it.
     fn is_divided(&self, receiver: &ReceiverPoint, met: &Met) -> bool {
-        let own = &self.solution.elements().list()[met.element];
+        let own = &self.light.rays.elements.list()[met.element];
         let width = own.area.sqrt();
         let up = receiver.ground.unwrap_or(receiver.normal);
         let lowest =
             || own.hull.iter().map(|corner| (*corner - receiver.position).dot(up)).fold(0.0, f64::min);
         receiver.surface.is_some() && met.distance < BESIDE * width && lowest() < -DIVIDED * width
-    }
-
-    /// The part of all surfaces that lies in gaps, judged at the middles of elements.
-    pub(super) fn in_gaps(&self) -> f64 {
-        let list = self.solution.elements().list();
-        let is_in_gap = |element: &&Element| {
-            let node = element.patches[0].node(0.5, 0.5);
-            self.hold(&ReceiverPoint::on(element.surface, node.position, node.normal))
-        };
-        let area = |elements: &mut dyn Iterator<Item = &Element>| elements.map(|own| own.area).sum::<f64>();
-        area(&mut list.iter().filter(is_in_gap)) / area(&mut list.iter())
-    }
-
-    /// Whether a point of a surface lies in a narrow gap under another one; under one that touches it is in none.
-    fn hold(&self, receiver: &ReceiverPoint) -> bool {
-        let up = receiver.ground.unwrap_or(receiver.normal);
-        let extent = |surface: usize| self.solution.elements().shape(surface).bounds(&Rect::FULL).diagonal();
-        let diagonal = self.visibility.bounds().diagonal();
-        let heights = COINCIDENT * diagonal..=NARROW_IN_SCENE * diagonal;
-        receiver.surface.is_some_and(|surface| {
-            self.visibility.nearest_from(surface, receiver.position, up).is_some_and(|met| {
-                let narrow = || NARROW * extent(surface).min(extent(met.surface));
-                met.surface != surface && heights.contains(&met.hit.t) && met.hit.t <= narrow()
-            })
-        })
     }
 }
 

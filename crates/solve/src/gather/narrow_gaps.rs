@@ -1,0 +1,60 @@
+//! Narrow gaps between surfaces.
+//!
+//! In a *gap* of height h between surfaces of the diagonal d about (h/d)² of the light outside comes to its middle.
+//! What is met from there is the light of the gap itself, of which polynomials on elements that reach out of it know
+//! nothing.
+
+use radiosity_elements::Element;
+use radiosity_geom::{COINCIDENT, Rect};
+use radiosity_light::receiver_point::ReceiverPoint;
+use radiosity_visibility::Visibility;
+
+use crate::solution::Solution;
+
+/// Height of a gap over the diagonals of both surfaces up to which it is narrow: then about its square of the light
+/// outside comes to its middle. Chosen.
+const NARROW: f64 = 0.03;
+
+/// Height of a gap over the diagonal of the scene up to which it is narrow: mats lie closer, and storeys, however wide,
+/// are higher. Chosen.
+const NARROW_IN_SCENE: f64 = 0.01;
+
+/// The narrow gaps of a scene.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct NarrowGaps<'a> {
+    solution: &'a Solution,
+    visibility: &'a Visibility,
+}
+
+impl<'a> NarrowGaps<'a> {
+    /// The gaps of a scene; None where rays meet nothing, or masks or the number of reflections tell what is read.
+    pub(super) fn of(solution: &'a Solution, visibility: &'a Visibility) -> Option<Self> {
+        let is_plain = visibility.casts() && solution.masked().is_none() && !solution.is_truncated();
+        is_plain.then_some(Self { solution, visibility })
+    }
+
+    /// The part of all surfaces that lies in gaps, judged at the middles of elements.
+    pub(super) fn part(&self) -> f64 {
+        let list = self.solution.elements().list();
+        let is_in_gap = |element: &&Element| {
+            let node = element.patches[0].node(0.5, 0.5);
+            self.hold(&ReceiverPoint::on(element.surface, node.position, node.normal))
+        };
+        let area = |elements: &mut dyn Iterator<Item = &Element>| elements.map(|own| own.area).sum::<f64>();
+        area(&mut list.iter().filter(is_in_gap)) / area(&mut list.iter())
+    }
+
+    /// Whether a point of a surface lies in a narrow gap under another one; under one that touches it is in none.
+    pub(super) fn hold(&self, receiver: &ReceiverPoint) -> bool {
+        let up = receiver.ground.unwrap_or(receiver.normal);
+        let extent = |surface: usize| self.solution.elements().shape(surface).bounds(&Rect::FULL).diagonal();
+        let diagonal = self.visibility.bounds().diagonal();
+        let heights = COINCIDENT * diagonal..=NARROW_IN_SCENE * diagonal;
+        receiver.surface.is_some_and(|surface| {
+            self.visibility.nearest_from(surface, receiver.position, up).is_some_and(|met| {
+                let narrow = || NARROW * extent(surface).min(extent(met.surface));
+                met.surface != surface && heights.contains(&met.hit.t) && met.hit.t <= narrow()
+            })
+        })
+    }
+}
