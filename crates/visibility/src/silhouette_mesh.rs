@@ -7,7 +7,7 @@
 //!
 //! The quads form a tree of boxes that contain the true surface, so what a region misses is certain. A quad
 //! nearer to the eye than its size, reduced where it bends little, is quartered repeatedly: on a surface that
-//! the eye lies on, the chords of a quad would rise above the eye.
+//! the eye lies on or just before, the chords of a quad would rise above the eye.
 
 use std::borrow::Cow;
 use std::sync::Arc;
@@ -26,9 +26,14 @@ const MOST: usize = 64;
 /// back is missed.
 const LOOKS: usize = 16;
 
-/// Most quarterings of a quad near the eye, which is then 1/32 as long; parts of the eye's own surface that
-/// remain are ignored.
+/// Most quarterings of a quad near the eye on the eye's own surface, which is then 1/32 as long; parts that remain
+/// are ignored.
 const DEPTH: usize = 5;
+
+/// Most quarterings of a quad near an eye that does not lie on its surface: as chords leave the surface by about
+/// TURN²/8 · 4⁻⁹ = 2·10⁻⁸ of its radius, they stay behind an eye a ten-millionth of its size before it. With a
+/// smaller value a sheet would hide all from an eye on its back, or on another sheet that lies close before it.
+const DEPTH_BEFORE: usize = 9;
 
 /// A quad nearer to the eye than this times its bent size is quartered. An arbitrary choice: with a smaller
 /// value the chords of near quads hide what the surface does not; with a larger one more quads are made anew
@@ -177,6 +182,7 @@ impl SilhouetteMesh {
 
     /// Calls `take` for every quad that may reach into `region`, quartered near the eye.
     pub fn visit<'a>(&'a self, region: &impl Region, take: &mut impl FnMut(Cow<'a, Quad>)) {
+        let depth = if region.ground().is_some() { DEPTH } else { DEPTH_BEFORE };
         let mut stack = vec![0];
         while let Some(index) = stack.pop() {
             let node = &self.nodes[index];
@@ -185,7 +191,7 @@ impl SilhouetteMesh {
             }
             match &node.kind {
                 NodeKind::Halves(halves) => stack.extend(halves),
-                NodeKind::Leaf(quad) => self.visit_quad(Cow::Borrowed(&**quad), region, DEPTH, take),
+                NodeKind::Leaf(quad) => self.visit_quad(Cow::Borrowed(&**quad), region, depth, take),
             }
         }
     }

@@ -12,7 +12,7 @@
 use std::f64::consts::{PI, TAU};
 use std::sync::Arc;
 
-use radiosity::geom::shapes::{Cylinder, Disk, Parallelogram, Polygon};
+use radiosity::geom::shapes::{Cylinder, Disk, Parallelogram, Polygon, Sphere};
 use radiosity::geom::{DVec3, Surface};
 use radiosity::reading::probe::{Probe, probe};
 use radiosity::reading::reader::{ReadMode, Reader};
@@ -44,6 +44,18 @@ const EPS: f64 = 2e-3;
 
 /// Share by which readings may differ from those above, and from what is known.
 const SHARE: f64 = 0.02;
+
+/// Wall k of the room.
+fn wall(k: usize) -> Parallelogram {
+    let mut sides = [DVec3::X, DVec3::Y, DVec3::Z].map(|axis| 2.0 * axis.dot(HALF) * axis);
+    sides.rotate_left(k / 2);
+    let [out, first, second] = sides;
+    let wall = match k % 2 {
+        0 => Parallelogram::new(-HALF, first, second),
+        _ => Parallelogram::new(out - HALF, second, first),
+    };
+    wall.expect("a wall")
+}
 
 /// A face of a stack.
 #[derive(Clone, Debug)]
@@ -192,18 +204,9 @@ impl Stack {
     fn scene(&self) -> Option<Scene> {
         let mut scene = SceneBuilder::new("stack", ["grey"]);
         let grey = scene.material("grey", material(GREY, 0.0));
-        let wall = |k: usize| {
-            let mut sides = [HALF.x * DVec3::X, HALF.y * DVec3::Y, HALF.z * DVec3::Z].map(|side| 2.0 * side);
-            sides.rotate_left(k / 2);
-            let [out, first, second] = sides;
-            match k % 2 {
-                0 => Parallelogram::new(-HALF, first, second),
-                _ => Parallelogram::new(out - HALF, second, first),
-            }
-        };
         for (k, glow) in WALLS.iter().enumerate() {
             let glow = scene.material(format!("wall {k}"), material(0.0, *glow));
-            scene.surface(format!("wall {k}"), wall(k).expect("a wall"), &glow);
+            scene.surface(format!("wall {k}"), wall(k), &glow);
         }
         for (k, face) in self.faces.iter().enumerate() {
             let draft = scene.surface(format!("face {k}"), self.shape(face), &grey);
@@ -365,28 +368,138 @@ fn sensors_on_a_thousand_stacks_belong_to_the_uppermost_face() {
     assert_right(2, 1000);
 }
 
+/// Exitance of the black walls of a room (W m⁻²).
+const EXITANCE: f64 = 100.0;
+
+/// Two black sheets of one side, the second a gap outside the first, in a black room of [`EXITANCE`], with sensors on the
+/// back of one and the share of their hemisphere that the room fills.
+struct Backs {
+    name: &'static str,
+    sheets: [Arc<dyn Surface>; 2],
+    is_flipped: bool,
+    seen: Vec<(Probe, f64)>,
+}
+
+/// Angles of sensors about an axis, off the corners of any mesh.
+const ANGLES: [f64; 3] = [0.12, 0.35, -0.57];
+
+impl Backs {
+    /// Inside a pipe: with z over its diameter to an open end, that fills
+    ///
+    /// ```text
+    /// F = (z² + 1/2) / √(z² + 1) − z .
+    /// ```
+    fn in_pipe(gap: f64) -> Self {
+        let length = 0.9;
+        let pipe = |radius: f64| {
+            let base = DVec3::new(0.2, 0.1, -0.4);
+            Arc::new(Cylinder::new(base, length * DVec3::Z, radius, [0.0, TAU]).expect("a pipe"))
+        };
+        let end = |z: f64| {
+            let z = z / (2.0 * RADIUS);
+            (z * z + 0.5) / (z * z + 1.0).sqrt() - z
+        };
+        let at = |angle: f64| {
+            let z = 0.5 + 0.3 * angle;
+            let out = DVec3::new(angle.cos(), angle.sin(), 0.0);
+            let position = DVec3::new(0.2, 0.1, -0.4 + z) + RADIUS * out;
+            (Probe { position, normal: -out }, end(z) + end(length - z))
+        };
+        let sheets: [Arc<dyn Surface>; 2] = [pipe(RADIUS), pipe(RADIUS + gap)];
+        Self { name: "pipe", sheets, is_flipped: false, seen: ANGLES.map(at).to_vec() }
+    }
+
+    fn balls(gap: f64, from: f64) -> [Arc<dyn Surface>; 2] {
+        [RADIUS, RADIUS + gap].map(|radius| {
+            let ball = Sphere::new(DVec3::ZERO, radius, DVec3::Z, [from * radius, radius], [0.0, TAU]);
+            let ball: Arc<dyn Surface> = Arc::new(ball.expect("a part of a ball"));
+            ball
+        })
+    }
+
+    /// On a ball, upright or tilted by this angle: half of the hemisphere and of its cosine.
+    fn on_bowl(gap: f64, tilt: f64) -> Self {
+        let at = |angle: f64| {
+            let out = DVec3::new(angle.cos() * angle.sin(), angle.sin().powi(2), angle.cos());
+            let aside = out.any_orthonormal_vector();
+            let normal = tilt.cos() * out + tilt.sin() * aside;
+            (Probe { position: (RADIUS + gap) * out, normal }, 0.5 * (1.0 + tilt.cos()))
+        };
+        let sheets = Self::balls(gap, -0.3);
+        Self { name: "on a bowl", sheets, is_flipped: true, seen: ANGLES.map(at).to_vec() }
+    }
+
+    /// In a bowl: a part of a ball fills of all hemispheres within as much as of the ball.
+    fn in_bowl(gap: f64) -> Self {
+        let from = -0.3;
+        let at = |angle: f64| {
+            let out = DVec3::new(angle.cos() * angle.sin(), angle.sin().powi(2), angle.cos());
+            (Probe { position: RADIUS * out, normal: -out }, 0.5 * (1.0 + from))
+        };
+        Self {
+            name: "in a bowl",
+            sheets: Self::balls(gap, from),
+            is_flipped: false,
+            seen: ANGLES.map(at).to_vec(),
+        }
+    }
+
+    fn scene(&self) -> Scene {
+        let mut scene = SceneBuilder::new("backs", ["grey"]);
+        let black = scene.material("black", material(0.0, 0.0));
+        let glow = scene.material("glow", material(0.0, EXITANCE));
+        for k in 0..6 {
+            scene.surface(format!("wall {k}"), wall(k), &glow);
+        }
+        for (k, sheet) in self.sheets.iter().enumerate() {
+            let draft = scene.surface(format!("sheet {k}"), Arc::clone(sheet), &black);
+            if self.is_flipped {
+                draft.flip();
+            }
+        }
+        scene.build().expect("a room")
+    }
+}
+
+#[test]
+fn sensors_on_the_backs_of_bent_sheets_read_what_is_before_them() {
+    // The smaller gap is less than chords of a coarse mesh of the sheet behind rise over it.
+    let [wide, narrow] = [1e-4, 3e-6];
+    let on_bowl = Backs::on_bowl(wide, 0.6);
+    for backs in [Backs::in_pipe(wide), Backs::in_pipe(narrow), Backs::in_bowl(narrow), on_bowl] {
+        let scene = backs.scene();
+        let middle = scene.middle;
+        let solved = solved_of(scene, Options::default());
+        let probes: Vec<Probe> = backs.seen.iter().map(|(probe, _)| *probe).collect();
+        for by in [GatherMethod::Cells, GatherMethod::Rays] {
+            let reader = Reader::by(by, &solved.outcome.solution, solved.visibility(), ReadMode::Gather, EPS);
+            let readings = probe(&reader, &probes, middle, &Work::alone()).expect("all light is gathered");
+            for (reading, (_, share)) in readings.iter().zip(&backs.seen) {
+                let (read, right) = (reading.irradiance[0], share * EXITANCE);
+                let at = reading.probe.position;
+                assert!(reading.on.is_none(), "{} {by:?}: on a front at {at}", backs.name);
+                assert!(
+                    (read / right - 1.0).abs() < 0.01,
+                    "{} {by:?}: {read} for {right} at {at}",
+                    backs.name
+                );
+            }
+        }
+    }
+}
+
 /// Irradiance in a furnace whose walls reflect a half and emit 1.
 const FURNACE: f64 = 2.0;
 
 #[test]
 fn mats_in_the_plane_of_a_floor_reflect_in_any_order() {
-    let sides = [DVec3::X, DVec3::Y, DVec3::Z].map(|axis| 2.0 * axis.dot(HALF) * axis);
-    let wall = |k: usize| {
-        let mut sides = sides;
-        sides.rotate_left(k / 2);
-        let [out, first, second] = sides;
-        if k.is_multiple_of(2) {
-            Parallelogram::new(-HALF, first, second)
-        } else {
-            Parallelogram::new(out - HALF, second, first)
-        }
-    };
     let middle = DVec3::new(0.1, -0.2, -HALF.z);
     let mat = |side: f64| {
         Parallelogram::new(middle - 0.5 * side * (DVec3::X + DVec3::Y), side * DVec3::X, side * DVec3::Y)
     };
     // A large mat under a small one.
-    let shapes = || (0..6).map(wall).chain([mat(1.2), mat(0.7)]).map(|shape| shape.expect("a rectangle"));
+    let mats = || [1.2, 0.7].map(|side| mat(side).expect("a rectangle"));
+    let shapes = || (0..6).map(wall).chain(mats());
     for order in [
         [0, 1, 2, 3, 4, 5, 6, 7],
         [7, 6, 5, 4, 3, 2, 1, 0],
