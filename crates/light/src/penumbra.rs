@@ -204,14 +204,14 @@ impl<'a> Penumbra<'a> {
         Self { visibility, sources: LightSource::all(sources, visibility), radiances, points, bands, eps }
     }
 
-    /// What may stand between a site and each emitter: with it, points of the site need few rays.
+    /// Obstacles that may stand between a site and each emitter: with them, points of the site need few rays.
     pub fn around(&self, site: &Site) -> Occluders {
         let hulls: Vec<&[DVec3]> = self.sources.iter().map(|source| source.extent().hull).collect();
         let senders = self.sources.iter().map(LightSource::sender);
         Occluders::new(self.visibility, senders, site).narrowed(self.visibility, &hulls, site)
     }
 
-    /// What of `around` may stand between a part of the site that this was listed for and each emitter.
+    /// The part of `around` that may stand between a part of the site that this was listed for and each emitter.
     pub fn narrowed(&self, around: &Occluders, part: &Site) -> Occluders {
         let hulls: Vec<&[DVec3]> = self.sources.iter().map(|source| source.extent().hull).collect();
         around.clone().narrowed(self.visibility, &hulls, part)

@@ -2,21 +2,17 @@
 //!
 //! Direct light is computed at every place. Other light, where it is gathered, is that of the light field.
 
-pub(crate) mod eye;
 pub(crate) mod frame;
-pub(crate) mod pixel_count;
-pub(crate) mod picture_light;
 mod direct_pass;
-pub(crate) mod neighbourhoods;
 pub(crate) mod forecast;
 
 use radiosity_work::Work;
 
+use super::eye::SeenPlace;
 use super::light_field::{AskedPlace, LightField};
+use super::picture_light::PictureLight;
 use direct_pass::lit;
-use eye::SeenPlace;
 use frame::Frame;
-use picture_light::PictureLight;
 
 /// Reach of the light of a pixel (pixels): samples of the pixels beside it.
 const REACH: f64 = 1.5;

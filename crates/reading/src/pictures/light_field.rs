@@ -20,9 +20,9 @@
 //! here by what the fit leaves).
 
 pub(crate) mod extent;
+pub(crate) mod open_part;
 mod fit;
 mod lattice;
-pub(crate) mod open_part;
 
 use std::collections::{BTreeSet, HashMap};
 
@@ -32,9 +32,9 @@ use radiosity_work::ranks::PartName;
 use radiosity_work::{Stage, Work};
 use serde::{Deserialize, Serialize};
 
-use super::frame_light::eye::SeenPlace;
-use super::frame_light::picture_light::PictureLight;
-use super::frame_light::pixel_count::PixelCount;
+use super::eye::SeenPlace;
+use super::picture_light::{ComputedLight, PictureLight};
+use super::pixel_count::PixelCount;
 use fit::{Fit, FitResult};
 use lattice::{Lattice, NodeIndex};
 
@@ -72,15 +72,6 @@ pub(crate) struct AskedPlace {
     pub footprint: f64,
     /// Sum over the bands of other light there (W m⁻²).
     pub beside: f64,
-}
-
-/// Light that was computed.
-#[derive(Clone, Debug, Serialize, Deserialize)]
-pub(crate) struct ComputedLight {
-    /// Irradiance per band (W m⁻²).
-    pub bands: Vec<f64>,
-    /// Standard deviation of the sum over the bands (W m⁻²).
-    pub error: f64,
 }
 
 /// A place, by its index, whose light is not known yet but for the rest of this share.

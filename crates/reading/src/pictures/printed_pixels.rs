@@ -9,7 +9,7 @@ use radiosity_scene::{Camera, Scene};
 use radiosity_visibility::Visibility;
 
 use super::frame_light::forecast::nodes;
-use super::frame_light::picture_light::GATHERED_FOR_PICTURES;
+use super::picture_light::GATHERED_FOR_PICTURES;
 use super::pinhole::Pinhole;
 use super::raster::Raster;
 use crate::checked_readings::PrintedReading;

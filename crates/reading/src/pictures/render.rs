@@ -5,8 +5,6 @@
 //! one beside them average `samples × samples` points of a regular grid. What is gathered comes from one light
 //! field of the whole picture (`light_field`).
 
-mod oversampling;
-
 use std::ops::Range;
 
 use radiosity_scene::Camera;
@@ -15,21 +13,20 @@ use radiosity_solve::solution::Solution;
 use radiosity_visibility::Visibility;
 use radiosity_work::ranks::PartName;
 use radiosity_work::{Progress, Stage, Work};
-use serde::{Deserialize, Serialize};
 
+use super::eye::Eye;
 use super::frame_light::FrameLight;
-use super::frame_light::eye::{Eye, SeenPlace};
-use super::frame_light::forecast::{nodes, seconds};
+use super::frame_light::forecast::nodes;
 use super::frame_light::frame::Frame;
-use super::frame_light::picture_light::{AVERAGED, GATHERED_FOR_PICTURES, PictureLight};
-use super::frame_light::pixel_count::PixelCount;
 use super::light_field::LightField;
+use super::oversampling::Oversampling;
+use super::picture_light::{AVERAGED, GATHERED_FOR_PICTURES, PictureLight};
 use super::pinhole::Pinhole;
-use super::pixel_samples::PixelSamples;
+use super::pixel_count::PixelCount;
 use super::raster::Raster;
+use super::shot::{Pixel, Shot};
 use crate::quantity::Quantity;
 pub use crate::reader::ReadMode;
-use oversampling::Oversampling;
 
 /// Seconds that gathering the light of a picture may take unless asked for. Chosen.
 const PATIENCE: f64 = 10.0;
@@ -66,7 +63,7 @@ pub fn render(
     let done = PixelCount::new(width * height, Stage::Picture, work);
     let strips = (0..height).step_by(at_once).map(|first| first..(first + at_once).min(height));
     let mut field = light.gathers().then(|| LightField::new(&light, eye.diagonal));
-    let mut pixels: Vec<Pixel> = strips.flat_map(|rows| shot.strip(rows, field.as_mut(), &done)).collect();
+    let mut pixels: Vec<Pixel> = strips.flat_map(|rows| strip(&shot, rows, field.as_mut(), &done)).collect();
     let bands = solution.bands().iter().map(|band| band.name.clone()).collect();
     let values = pixels.iter().flat_map(|pixel| &pixel.radiosity).copied().collect();
     let coverage = pixels.iter().map(|pixel| pixel.coverage).collect();
@@ -78,6 +75,33 @@ pub fn render(
         .with_emitters(emitters)
 }
 
+/// The pixels of some rows, with light that `field` gathers.
+fn strip(
+    shot: &Shot,
+    rows: Range<usize>,
+    mut field: Option<&mut LightField>,
+    done: &PixelCount,
+) -> Vec<Pixel> {
+    let [width, height] = shot.size;
+    let first = rows.start.saturating_sub(MARGIN);
+    let around = first..(rows.end + MARGIN).min(height);
+    let ranks = shot.work.ranks;
+    let frame = Frame::new(shot.eye, &shot.view, width, around, ranks);
+    let lit = FrameLight::over(&frame, shot.light, field.as_deref_mut(), shot.work);
+    let mut pixels: Vec<Pixel> =
+        ranks.map_even(PartName::Middles, frame.len(), width, |pixel| shot.middle(&lit, pixel));
+    let (start, count) = ((rows.start - first) * width, rows.len() * width);
+    let crossings = ranks.map_even(PartName::Crossings, count, width, |place| {
+        shot.crossing(&frame, &pixels, start + place, first)
+    });
+    pixels.drain(..start);
+    pixels.truncate(count);
+    let oversampling = Oversampling { shot, first, start };
+    oversampling.refine(&lit, &mut pixels, &crossings, field);
+    (0..count).for_each(|_| done.add());
+    pixels
+}
+
 /// Source of light of a picture of so many pixels unless told otherwise: gathered, if two threads do that
 /// within some ten seconds, else with direct light alone recomputed. Direct light takes its time in both.
 pub fn usual_read(solution: &Solution, visibility: &Visibility, pixels: u64) -> ReadMode {
@@ -86,102 +110,6 @@ pub fn usual_read(solution: &Solution, visibility: &Visibility, pixels: u64) -> 
     let seconds = GatherMethod::Auto.seconds(solution, visibility, eps, points, f64::INFINITY, false);
     let gathered = seconds / THREADS;
     if gathered <= PATIENCE { ReadMode::Gather } else { ReadMode::Direct }
-}
-
-/// The radiosity seen through a pixel.
-#[derive(Clone, Debug, Serialize, Deserialize)]
-struct Pixel {
-    /// Mean of the shown quantity over the pixel, per band (W m⁻²).
-    radiosity: Vec<f64>,
-    /// Part of the pixel in which a front is seen.
-    coverage: f64,
-    /// Whether something that emits is seen in the pixel.
-    emits: bool,
-    /// Samples that are averaged, if they are more than the middle.
-    samples: Option<PixelSamples>,
-}
-
-/// A picture about to be taken.
-struct Shot<'a> {
-    light: &'a PictureLight<'a>,
-    eye: &'a Eye<'a>,
-    view: Pinhole,
-    /// Pixels across and down.
-    size: [usize; 2],
-    samples: u32,
-    work: &'a Work<'a>,
-}
-
-impl Shot<'_> {
-    /// About the seconds that the picture takes.
-    fn seconds(&self) -> f64 {
-        let [width, height] = self.size;
-        let seen = |pixel: usize| {
-            let [column, row] = [pixel % width, pixel / width].map(|at| at as f64 + 0.5);
-            self.eye.along(&self.view.ray(column, row))
-        };
-        seconds(self.light, width * height, &seen, self.work.ranks)
-    }
-
-    /// The pixels of some rows, with light that `field` gathers.
-    fn strip(&self, rows: Range<usize>, mut field: Option<&mut LightField>, done: &PixelCount) -> Vec<Pixel> {
-        let [width, height] = self.size;
-        let first = rows.start.saturating_sub(MARGIN);
-        let around = first..(rows.end + MARGIN).min(height);
-        let ranks = self.work.ranks;
-        let frame = Frame::new(self.eye, &self.view, width, around, ranks);
-        let lit = FrameLight::over(&frame, self.light, field.as_deref_mut(), self.work);
-        let mut pixels: Vec<Pixel> =
-            ranks.map_even(PartName::Middles, frame.len(), width, |pixel| self.middle(&lit, pixel));
-        let (start, count) = ((rows.start - first) * width, rows.len() * width);
-        let crossings = ranks.map_even(PartName::Crossings, count, width, |place| {
-            self.crossing(&frame, &pixels, start + place, first)
-        });
-        pixels.drain(..start);
-        pixels.truncate(count);
-        let oversampling = Oversampling { shot: self, first, start };
-        oversampling.refine(&lit, &mut pixels, &crossings, field);
-        (0..count).for_each(|_| done.add());
-        pixels
-    }
-
-    /// The pixel as its middle sees it.
-    fn middle(&self, lit: &FrameLight, pixel: usize) -> Pixel {
-        let (Some(seen), Some(irradiance)) = (lit.frame().seen(pixel), lit.irradiance(pixel)) else {
-            return self.nothing();
-        };
-        self.pixel(seen, irradiance)
-    }
-
-    /// A pixel that sees only this place, in this irradiance (W m⁻² per band).
-    fn pixel(&self, seen: &SeenPlace, irradiance: &[f64]) -> Pixel {
-        let radiosity = self.light.shown(seen, irradiance.iter().copied());
-        Pixel { radiosity, coverage: 1.0, emits: self.emits(seen), samples: None }
-    }
-
-    fn nothing(&self) -> Pixel {
-        let radiosity = vec![0.0; self.light.solution().bands().len()];
-        Pixel { radiosity, coverage: 0.0, emits: false, samples: None }
-    }
-
-    /// Whether the element of a place emits.
-    fn emits(&self, seen: &SeenPlace) -> bool {
-        self.light.solution().bands().iter().any(|band| band.coating.exitance[seen.element] > 0.0)
-    }
-
-    /// The pixel that averages these samples.
-    fn mean(&self, pixels: &[Pixel]) -> Pixel {
-        let mut mean = self.nothing();
-        let scale = 1.0 / pixels.len() as f64;
-        for Pixel { radiosity, coverage, emits, .. } in pixels {
-            mean.radiosity.iter_mut().zip(radiosity).for_each(|(sum, value)| *sum += scale * value);
-            mean.coverage += scale * coverage;
-            mean.emits |= emits;
-        }
-        let seen = pixels.iter().filter(|pixel| pixel.coverage > 0.0).map(|pixel| pixel.radiosity.clone());
-        let samples = PixelSamples::new(seen.collect(), mean.radiosity.len(), pixels.len());
-        Pixel { samples: Some(samples), ..mean }
-    }
 }
 
 /// Factors that make the emitted light of a three-band scene white, as a camera's white balance. All are 1 if

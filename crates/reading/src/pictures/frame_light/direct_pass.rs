@@ -6,11 +6,11 @@ use radiosity_work::ranks::PartName;
 use radiosity_work::{Stage, Work};
 use rayon::prelude::*;
 
-use super::eye::SeenPlace;
 use super::frame::Frame;
-use super::neighbourhoods::Neighbourhoods;
-use super::picture_light::{DirectIrradiance, PictureLight};
-use super::pixel_count::PixelCount;
+use crate::pictures::eye::SeenPlace;
+use crate::pictures::neighbourhoods::Neighbourhoods;
+use crate::pictures::picture_light::{DirectIrradiance, PictureLight};
+use crate::pictures::pixel_count::PixelCount;
 
 /// Pixels that are compared with one, to each side. Chosen: with first rays that miss a shadow in four of
 /// five pixels, one of so many still finds it.

@@ -6,9 +6,9 @@ use radiosity_light::penumbra::RayEffort;
 use radiosity_work::ranks::Ranks;
 use rayon::prelude::*;
 
-use super::eye::SeenPlace;
-use super::neighbourhoods::Neighbourhoods;
-use super::picture_light::PictureLight;
+use crate::pictures::eye::SeenPlace;
+use crate::pictures::neighbourhoods::Neighbourhoods;
+use crate::pictures::picture_light::PictureLight;
 
 /// Runs of places beside each other at which direct light is computed, places of each, and places of all at which
 /// light is gathered. Chosen: a thousandth of a picture.

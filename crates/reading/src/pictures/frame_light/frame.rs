@@ -7,7 +7,7 @@ use radiosity_work::ranks::{PartName, Ranks};
 
 use crate::pictures::pinhole::Pinhole;
 
-use super::eye::{Eye, SeenPlace};
+use crate::pictures::eye::{Eye, SeenPlace};
 
 /// Pixels that one thread looks through after each other. Chosen: they take about a microsecond each.
 const TOGETHER: usize = 256;

@@ -11,7 +11,7 @@ use radiosity_elements::Elements;
 
 use super::extent::Extent;
 use super::open_part::OpenPart;
-use crate::pictures::frame_light::eye::SeenPlace;
+use crate::pictures::eye::SeenPlace;
 
 /// Side of the first cells over the diagonal of the scene: light in a room varies over some parts of it. Chosen.
 const FIRST: f64 = 1.0 / 16.0;

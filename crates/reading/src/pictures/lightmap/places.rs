@@ -3,7 +3,7 @@
 use radiosity_elements::Elements;
 use radiosity_geom::{Jet, Rect, Surface};
 
-use crate::pictures::frame_light::eye::SeenPlace;
+use crate::pictures::eye::SeenPlace;
 use crate::pictures::light_field::extent::Extent;
 use crate::pictures::light_field::open_part::OpenPart;
 

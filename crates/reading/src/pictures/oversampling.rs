@@ -7,12 +7,12 @@ use radiosity_light::penumbra::RayEffort;
 use radiosity_work::ranks::PartName;
 use serde::{Deserialize, Serialize};
 
-use super::{Pixel, Shot};
-use crate::pictures::frame_light::FrameLight;
-use crate::pictures::frame_light::eye::SeenPlace;
-use crate::pictures::frame_light::frame::Frame;
-use crate::pictures::frame_light::neighbourhoods::Neighbourhoods;
-use crate::pictures::light_field::{AskedPlace, LightField};
+use super::eye::SeenPlace;
+use super::frame_light::FrameLight;
+use super::frame_light::frame::Frame;
+use super::light_field::{AskedPlace, LightField};
+use super::neighbourhoods::Neighbourhoods;
+use super::shot::{Pixel, Shot};
 
 /// Relative difference of the radiosities of two pixels from which both are sampled finely. Chosen: four
 /// steps of eight bits, and twice the error in penumbrae.

@@ -59,7 +59,7 @@ impl Neighbourhoods {
         Self { of, lists }
     }
 
-    /// What may stand between a place and each emitter, where that is listed.
+    /// Obstacles that may stand between a place and each emitter, where that is listed.
     pub(crate) fn around(&self, place: usize) -> Option<&Occluders> {
         self.of[place].map(|list| &self.lists[list])
     }

@@ -14,7 +14,6 @@ use crate::quantity::{PlaceLight, Quantity};
 use crate::reader::ReadMode;
 
 use super::eye::SeenPlace;
-use crate::pictures::light_field::ComputedLight;
 
 /// Pairs of an emitter and something that may stand before it, at most, for which direct light is computed
 /// without rays. Chosen.
@@ -43,6 +42,15 @@ pub(crate) struct DirectIrradiance {
     pub bands: Vec<f64>,
     /// Emitters that were seen, where rays looked for them.
     pub visible: Option<VisibleEmitters>,
+}
+
+/// Light that was computed.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub(crate) struct ComputedLight {
+    /// Irradiance per band (W m⁻²).
+    pub bands: Vec<f64>,
+    /// Standard deviation of the sum over the bands (W m⁻²).
+    pub error: f64,
 }
 
 /// Direct light and the rest.
@@ -107,7 +115,7 @@ impl<'a> PictureLight<'a> {
         matches!(self.direct, DirectSource::Rays(_))
     }
 
-    /// What may stand between a site and each emitter, where rays find direct light.
+    /// Obstacles that may stand between a site and each emitter, where rays find direct light.
     pub(crate) fn around(&self, site: &Site) -> Option<Occluders> {
         match &self.direct {
             DirectSource::Rays(light) => Some(light.around(site)),
@@ -115,7 +123,7 @@ impl<'a> PictureLight<'a> {
         }
     }
 
-    /// What of `around` may stand between a part of the site that this was listed for and each emitter.
+    /// The part of `around` that may stand between a part of the site that this was listed for and each emitter.
     pub(crate) fn narrowed(&self, around: &Occluders, part: &Site) -> Option<Occluders> {
         match &self.direct {
             DirectSource::Rays(light) => Some(light.narrowed(around, part)),
