@@ -371,8 +371,8 @@ fn sensors_on_a_thousand_stacks_belong_to_the_uppermost_face() {
 /// Exitance of the black walls of a room (W m⁻²).
 const EXITANCE: f64 = 100.0;
 
-/// Two black sheets of one side, the second a gap outside the first, in a black room of [`EXITANCE`], with sensors on the
-/// back of one and the share of their hemisphere that the room fills.
+/// Two black sheets of one side, the second a gap outside the first, in a black room of [`EXITANCE`], with sensors
+/// on the back of one and the share of their hemisphere that the room fills.
 struct Backs {
     name: &'static str,
     sheets: [Arc<dyn Surface>; 2],

@@ -27,7 +27,7 @@ pub(super) struct Pixel {
 pub(super) struct Shot<'a> {
     /// Light of what is seen.
     pub light: &'a PictureLight<'a>,
-    /// What camera rays meet.
+    /// The surfaces that camera rays meet.
     pub eye: &'a Eye<'a>,
     /// The camera.
     pub view: Pinhole,

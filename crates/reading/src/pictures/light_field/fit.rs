@@ -47,7 +47,7 @@ pub(crate) struct FitResult {
     pub noise: f64,
     /// Factor Λ by which the fit amplifies errors of its values, 1 at the least.
     pub amplified: f64,
-    /// What polynomials of one degree less say else, the sum over the bands: the difference at the place from the
+    /// Difference from polynomials of one degree less, the sum over the bands: at the place from the
     /// fit of degree 1, or the root mean square of what that of degree 0 leaves.
     pub bend: f64,
 }
