@@ -42,16 +42,25 @@ use lattice::{Lattice, NodeIndex};
 /// remains is smaller by about as much; fits of few values leave little even where light peaks between them.
 const BENT: f64 = 3.0;
 
-/// Most residual r of a fit, and the distance of nodes over that of shown places up to which twice as much is
-/// allowed: such places are small. Measured in an office: with 4e-3, 1e-2 and 2e-2 pictures erred by 0.30, 0.32
-/// and 0.48 % (L2) with 4649, 3410 and 2542 nodes. The second is chosen.
-const ROUGH: f64 = 1e-2;
-const SMALL: f64 = 8.0;
+/// Fineness of a field.
+#[derive(Clone, Copy, Debug)]
+struct Fineness {
+    /// Most residual r of a fit.
+    rough: f64,
+    /// Distance of nodes over that of shown places up to which no finer ones are asked for.
+    finest: f64,
+}
 
-/// Distance of nodes over that of shown places up to which no finer ones are asked for, by cells and by rays, which
-/// are dearer. Measured by rays in an office: with 1.5 and 2.5 pictures erred by .41 and .43 % (L2) after 8 and 5 s.
-const FINEST: f64 = 1.0;
-const FINEST_BY_RAYS: f64 = 2.5;
+/// Fineness by cells. Chosen: nodes take some microseconds and do not err.
+const BY_CELLS: Fineness = Fineness { rough: 4e-3, finest: 1.0 };
+
+/// Fineness by rays. Measured in an office: with r = 4e-3, 1e-2 and 2e-2 pictures erred by 0.30, 0.32 and 0.48 % (L2)
+/// with 4649, 3410 and 2542 nodes; with 1.5 and 2.5 times the distance of pixels by 0.41 and 0.43 % after 8 and 5 s.
+const BY_RAYS: Fineness = Fineness { rough: 1e-2, finest: 2.5 };
+
+/// Distance of nodes over that of shown places up to which twice the residual is allowed: such places are small.
+/// Chosen.
+const SMALL: f64 = 8.0;
 
 /// Most factor by which a fit amplifies errors of its values. Chosen: 1 inside, about 1.3 at a border that has
 /// nodes.
@@ -195,8 +204,7 @@ impl<'a> LightField<'a> {
         let lattice = self.lattice(asked);
         let fit = self.fit(lattice, asked, level);
         let apart = lattice.side(level) / asked.footprint;
-        let finest = if self.light.gathers_by_rays() { FINEST_BY_RAYS } else { FINEST };
-        let is_last = apart < finest || level == Lattice::FINEST;
+        let is_last = apart < self.fineness().finest || level == Lattice::FINEST;
         let found = fit.found();
         let trust = found.as_ref().map_or(0.0, |found| self.trust(found, apart <= SMALL, asked.beside));
         match found {
@@ -214,11 +222,16 @@ impl<'a> LightField<'a> {
         }
     }
 
+    fn fineness(&self) -> Fineness {
+        if self.light.gathers_by_rays() { BY_RAYS } else { BY_CELLS }
+    }
+
     /// Share, from 0 to 1, that the value of a fit gets beside `other` light, where more is allowed if it
     /// `is_small`. Light below 0 by no more than a fit may leave is none.
     fn trust(&self, found: &FitResult, is_small: bool, other: f64) -> f64 {
         let all = found.value.iter().map(|value| value.max(0.0)).sum::<f64>() + other;
-        let rough = if is_small { 2.0 } else { 1.0 } * ROUGH * (all * all.max(self.mean)).sqrt();
+        let rough =
+            if is_small { 2.0 } else { 1.0 } * self.fineness().rough * (all * all.max(self.mean)).sqrt();
         if found.amplified > AMPLIFIED || found.value.iter().any(|value| *value < -rough) {
             return 0.0;
         }
