@@ -114,7 +114,7 @@ impl Oversampling<'_> {
         all.filter(|place| !corners.contains(place)).collect()
     }
 
-    /// The same samples of each of some pixels, pixel by pixel.
+    /// Samples at one grid of each of some pixels, pixel by pixel.
     fn sampled(
         &self,
         lit: &FrameLight,

@@ -24,7 +24,7 @@ pub(crate) struct Frame {
 /// Distance of the places beside a place that is seen.
 #[derive(Clone, Copy, Debug)]
 enum Spacing {
-    /// That of pixels at the distance of the place from the eye.
+    /// Pixels: their distance at that of the place from the eye.
     Pixels(Pinhole),
     /// A length (scene length).
     Texels(f64),
