@@ -66,7 +66,7 @@ impl Way {
             Self::ShadowVolumes => {
                 let light = Penumbra::new(&sources, visibility, eps);
                 let at = |own: &ReceiverPoint| {
-                    let found = light.estimate(own, 0.0, RayEffort { error_factor: 1.0, sure: true });
+                    let found = light.estimate(own, None, 0.0, RayEffort { error_factor: 1.0, sure: true });
                     let exitance = &sources.coatings[0].exitance;
                     let of_elements =
                         found.factors.iter().map(|factor| factor.value * exitance[factor.element]);
