@@ -89,8 +89,8 @@ async function probed(page, solution, normals, settings = []) {
   });
   errors.sort((a, b) => a - b);
   const [median, most, worst] = [0.5, 0.95, 1].map((part) => errors[Math.floor((errors.length - 1) * part)]);
-  // Shadows have edges between texels.
-  assert.ok(median < 0.003 && most < 0.02 && worst < 0.2, `values differ by ${median} (median), ${most} (95 %), ${worst}`);
+  // Shadows have edges between texels, and probes read doubtful places anew, with noise of 0.7 %.
+  assert.ok(median < 0.003 && most < 0.025 && worst < 0.2, `values differ by ${median} (median), ${most} (95 %), ${worst}`);
   const percent = (x) => `${(100 * x).toFixed(2)} %`;
   return `${errors.length} values differ from probe by ${percent(median)} (median), ${percent(most)} (95 of 100), ${percent(worst)} (largest)`;
 }
