@@ -120,7 +120,7 @@ impl Occluders {
 
     /// The occluders without those that certainly miss the shaft between the site and an element; `hulls` has
     /// the hull points of each element.
-    pub(crate) fn narrowed(self, visibility: &Visibility, hulls: &[&[DVec3]], site: &Site) -> Self {
+    pub(crate) fn narrowed(&self, visibility: &Visibility, hulls: &[&[DVec3]], site: &Site) -> Self {
         let mut kept = Vec::with_capacity(self.places.len());
         let ranges = self.ranges.iter().zip(hulls).map(|(range, hull)| {
             let (first, last) = (*range)?;

@@ -206,15 +206,14 @@ impl<'a> Penumbra<'a> {
 
     /// Obstacles that may stand between a site and each emitter: with them, points of the site need few rays.
     pub fn around(&self, site: &Site) -> Occluders {
-        let hulls: Vec<&[DVec3]> = self.sources.iter().map(|source| source.extent().hull).collect();
         let senders = self.sources.iter().map(LightSource::sender);
-        Occluders::new(self.visibility, senders, site).narrowed(self.visibility, &hulls, site)
+        self.narrowed(&Occluders::new(self.visibility, senders, site), site)
     }
 
     /// The part of `around` that may stand between a part of the site that this was listed for and each emitter.
     pub fn narrowed(&self, around: &Occluders, part: &Site) -> Occluders {
         let hulls: Vec<&[DVec3]> = self.sources.iter().map(|source| source.extent().hull).collect();
-        around.clone().narrowed(self.visibility, &hulls, part)
+        around.narrowed(self.visibility, &hulls, part)
     }
 
     /// The direct light at a point where `beside` it other light arrives (W m⁻², mean over the bands); `around`

@@ -18,16 +18,8 @@ const LAMP: [DVec3; 4] = [
     DVec3::new(2.5, 1.5, 2.9),
 ];
 
-/// A black room with a lamp under its ceiling, in it a black desk with a black mat `gap` above it.
-fn desk(gap: f64, is_mat_first: bool, is_two_sided: bool, mat: &str) -> Scene {
-    let desk = "[[surfaces]]\nname = \"desk\"\nmaterial = \"black\"\ntwo_sided = true\n\
-        parallelogram = { origin = [1, 1, 0.75], edge1 = [2, 0, 0], edge2 = [0, 1, 0] }\n"
-        .to_owned();
-    let two = if is_two_sided { "two_sided = true\n" } else { "" };
-    let height = 0.75 + gap;
-    let mat = mat.replace('Z', &format!("{height:?}"));
-    let mat = format!("[[surfaces]]\nname = \"mat\"\nmaterial = \"black\"\n{two}{mat}\n");
-    let both = if is_mat_first { mat + &desk } else { desk + &mat };
+/// A black room with a lamp, a parallelogram, and other things in it.
+fn room(lamp: &str, things: &str) -> Scene {
     typed(&format!(
         r#"
 bands = ["lm"]
@@ -40,9 +32,22 @@ box = {{ origin = [0, 0, 0], size = [4, 4, 3], inward = true }}
 [[surfaces]]
 name = "lamp"
 material = "glow"
-parallelogram = {{ origin = [1.5, 1.5, 2.9], edge1 = [0, 1, 0], edge2 = [1, 0, 0] }}
-{both}"#
+parallelogram = {{ {lamp} }}
+{things}"#
     ))
+}
+
+/// A black room with a lamp under its ceiling, in it a black desk with a black mat `gap` above it.
+fn desk(gap: f64, is_mat_first: bool, is_two_sided: bool, mat: &str) -> Scene {
+    let desk = "[[surfaces]]\nname = \"desk\"\nmaterial = \"black\"\ntwo_sided = true\n\
+        parallelogram = { origin = [1, 1, 0.75], edge1 = [2, 0, 0], edge2 = [0, 1, 0] }\n"
+        .to_owned();
+    let two = if is_two_sided { "two_sided = true\n" } else { "" };
+    let height = 0.75 + gap;
+    let mat = mat.replace('Z', &format!("{height:?}"));
+    let mat = format!("[[surfaces]]\nname = \"mat\"\nmaterial = \"black\"\n{two}{mat}\n");
+    let both = if is_mat_first { mat + &desk } else { desk + &mat };
+    room("origin = [1.5, 1.5, 2.9], edge1 = [0, 1, 0], edge2 = [1, 0, 0]", &both)
 }
 
 const POLYGON: &str = "polygon = { vertices = [[1.2, 1.2, Z], [1.8, 1.2, Z], [1.8, 1.4, Z], [1.5, 1.4, Z], [1.5, 1.7, Z], [1.2, 1.7, Z]] }";
@@ -171,20 +176,7 @@ fn sensors_beside_rims_receive_what_the_room_sends() {
 
 /// A black room with a large lamp of one side at a table's height, and sensors just over it that look at it.
 fn faced() -> Vec<Trial> {
-    let scene = typed(&format!(
-        r#"
-bands = ["lm"]
-materials.black = {{ reflectance = 0 }}
-materials.glow = {{ reflectance = 0, emission = {EXITANCE:?} }}
-[[surfaces]]
-name = "room"
-material = "black"
-box = {{ origin = [0, 0, 0], size = [4, 4, 3], inward = true }}
-[[surfaces]]
-name = "lamp"
-material = "glow"
-parallelogram = {{ origin = [0.5, 0.5, 1], edge1 = [3, 0, 0], edge2 = [0, 3, 0] }}"#
-    ));
+    let scene = room("origin = [0.5, 0.5, 1], edge1 = [3, 0, 0], edge2 = [0, 3, 0]", "");
     let mut trial = Trial::of("faced", scene);
     for height in [1e-4, 1e-5, 3e-6, 1.5e-6] {
         let position = DVec3::new(1.9, 2.1, 1.0 + height);

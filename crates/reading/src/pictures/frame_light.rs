@@ -35,10 +35,7 @@ impl<'a> FrameLight<'a> {
     ) -> Self {
         let direct = lit(frame, light, work);
         let bands = light.solution().bands().len();
-        let mut irradiance = match field {
-            Some(field) => field.at(&asked(frame, &direct), work),
-            None => polynomials(frame, light),
-        };
+        let mut irradiance = other_light(&asked(frame, &direct), light, field, work);
         for (sums, direct) in irradiance.chunks_exact_mut(bands).zip(direct) {
             sums.iter_mut().zip(direct).for_each(|(sum, direct)| *sum += direct);
         }
@@ -94,9 +91,20 @@ fn asked(frame: &Frame, direct: &[Vec<f64>]) -> Vec<Option<AskedPlace>> {
     (0..frame.len()).map(one).collect()
 }
 
-/// The polynomials of other light of all places of a frame, bands fastest.
-fn polynomials(frame: &Frame, light: &PictureLight) -> Vec<f64> {
-    let nothing = || vec![0.0; light.solution().bands().len()];
-    let of = |place: usize| frame.seen(place).map_or_else(nothing, |seen| light.polynomials(seen));
-    (0..frame.len()).flat_map(of).collect()
+/// Irradiance per band (W m⁻²) beside direct light at all places, bands fastest: gathered by `field`, or else read
+/// from the polynomials; 0 where nothing is seen.
+pub(crate) fn other_light(
+    places: &[Option<AskedPlace>],
+    light: &PictureLight,
+    field: Option<&mut LightField>,
+    work: &Work<'_>,
+) -> Vec<f64> {
+    let Some(field) = field else {
+        let nothing = || vec![0.0; light.solution().bands().len()];
+        let of = |asked: &Option<AskedPlace>| {
+            asked.as_ref().map_or_else(nothing, |asked| light.polynomials(&asked.seen))
+        };
+        return places.iter().flat_map(of).collect();
+    };
+    field.at(places, work)
 }

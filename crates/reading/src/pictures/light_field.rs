@@ -112,8 +112,6 @@ pub(crate) struct LightField<'a> {
     elements: &'a Elements,
     /// Diagonal of the scene's bounding box (scene length).
     diagonal: f64,
-    /// Mean irradiance of the scene, the sum over the bands (W m⁻²).
-    mean: f64,
     lattices: HashMap<usize, Lattice>,
     /// Nodes that were asked for; None where no open place is near.
     nodes: HashMap<NodeIndex, Option<Node>>,
@@ -123,8 +121,7 @@ impl<'a> LightField<'a> {
     /// The reflected light of `light` in a scene of this diagonal; none is computed.
     pub(crate) fn new(light: &'a PictureLight<'a>, diagonal: f64) -> Self {
         let elements = light.solution().elements();
-        let mean = light.solution().mean_arriving().iter().sum();
-        Self { light, elements, diagonal, mean, lattices: HashMap::new(), nodes: HashMap::new() }
+        Self { light, elements, diagonal, lattices: HashMap::new(), nodes: HashMap::new() }
     }
 
     /// Irradiance per band (W m⁻²) of all places, bands fastest; nodes that are computed are told.
@@ -230,8 +227,9 @@ impl<'a> LightField<'a> {
     /// `is_small`. Light below 0 by no more than a fit may leave is none.
     fn trust(&self, found: &FitResult, is_small: bool, other: f64) -> f64 {
         let all = found.value.iter().map(|value| value.max(0.0)).sum::<f64>() + other;
-        let rough =
-            if is_small { 2.0 } else { 1.0 } * self.fineness().rough * (all * all.max(self.mean)).sqrt();
+        let rough = if is_small { 2.0 } else { 1.0 }
+            * self.fineness().rough
+            * (all * all.max(self.light.mean())).sqrt();
         if found.amplified > AMPLIFIED || found.value.iter().any(|value| *value < -rough) {
             return 0.0;
         }

@@ -31,24 +31,24 @@ impl Neighbourhoods {
         seen: impl Fn(usize) -> Option<([usize; 2], &'a SeenPlace)>,
     ) -> Self {
         let mut of = vec![None; count];
-        if !light.lists() {
+        let Some(penumbra) = light.penumbra() else {
             return Self { of, lists: Vec::new() };
-        }
+        };
         let places: Vec<(usize, [usize; 2], &SeenPlace)> =
             (0..count).filter_map(|place| seen(place).map(|(pixel, seen)| (place, pixel, seen))).collect();
         let large = groups(places.iter().copied(), SIDES[0]);
         let listed: Vec<Vec<(Occluders, Vec<usize>)>> = large
             .par_iter()
             .filter(|group| group.len() >= FEWEST)
-            .filter_map(|group| {
-                let around = light.around(&SiteHull::of(light, group).site())?;
+            .map(|group| {
+                let around = penumbra.around(&SiteHull::of(light, group).site());
                 let small = groups(group.iter().copied(), SIDES[1]).into_iter();
                 let narrowed = |group: Vec<(usize, [usize; 2], &SeenPlace)>| {
                     let site = SiteHull::of(light, &group);
-                    let own = light.narrowed(&around, &site.site())?;
-                    Some((own, group.into_iter().map(|(place, ..)| place).collect()))
+                    let own = penumbra.narrowed(&around, &site.site());
+                    (own, group.into_iter().map(|(place, ..)| place).collect())
                 };
-                Some(small.filter_map(narrowed).collect())
+                small.map(narrowed).collect()
             })
             .collect();
         let mut lists = Vec::new();

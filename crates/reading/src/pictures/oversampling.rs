@@ -8,8 +8,8 @@ use radiosity_work::ranks::PartName;
 use serde::{Deserialize, Serialize};
 
 use super::eye::SeenPlace;
-use super::frame_light::FrameLight;
 use super::frame_light::frame::Frame;
+use super::frame_light::{FrameLight, other_light};
 use super::light_field::{AskedPlace, LightField};
 use super::neighbourhoods::Neighbourhoods;
 use super::shot::{Pixel, Shot};
@@ -222,10 +222,7 @@ impl Shot<'_> {
         };
         let mut irradiance: Vec<Vec<f64>> =
             self.work.ranks.map_even(PartName::MoreDirectLight, places.len(), TOGETHER, direct);
-        let rest: Vec<f64> = match field {
-            Some(field) => field.at(&self.asked(places, &irradiance), self.work),
-            None => places.iter().flat_map(|place| self.light.polynomials(&place.seen)).collect(),
-        };
+        let rest = other_light(&self.asked(places, &irradiance), self.light, field, self.work);
         let bands = self.light.solution().bands().len();
         for (sums, rest) in irradiance.iter_mut().zip(rest.chunks_exact(bands)) {
             sums.iter_mut().zip(rest).for_each(|(sum, rest)| *sum += rest);

@@ -2,7 +2,7 @@
 
 use radiosity_geom::DVec3;
 use radiosity_light::direct::DirectLight;
-use radiosity_light::occluders::{Occluders, Site};
+use radiosity_light::occluders::Occluders;
 use radiosity_light::penumbra::{EmitterFactor, Penumbra, RayEffort, VisibleEmitters};
 use radiosity_solve::gather::gather_method::{GatherMethod, GatheredBy, Gathering};
 use radiosity_solve::gather::read_irradiance::ReadIrradiance;
@@ -57,6 +57,8 @@ pub(crate) struct ComputedLight {
 #[derive(Debug)]
 pub(crate) struct PictureLight<'a> {
     solution: &'a Solution,
+    /// Mean irradiance of the scene, the sum over the bands (W m⁻²).
+    mean: f64,
     shown: Quantity,
     /// Point that it is seen from, in a picture (scene length).
     eye: Option<DVec3>,
@@ -92,7 +94,8 @@ impl<'a> PictureLight<'a> {
             }
             _ => DirectSource::Rays(Penumbra::new(&emitters, visibility, IN_PENUMBRA * eps)),
         };
-        Self { solution, shown: Quantity::default(), eye: None, direct, rest }
+        let mean = solution.mean_arriving().iter().sum();
+        Self { solution, mean, shown: Quantity::default(), eye: None, direct, rest }
     }
 
     /// This light, of which a picture shows the quantity `shown`, as seen from the point `eye`.
@@ -110,23 +113,10 @@ impl<'a> PictureLight<'a> {
         self.rest.as_ref().is_some_and(|rest| matches!(rest.by(), GatheredBy::Rays(_)))
     }
 
-    /// Whether direct light takes less with a list of what may stand before emitters.
-    pub(crate) fn lists(&self) -> bool {
-        matches!(self.direct, DirectSource::Rays(_))
-    }
-
-    /// Obstacles that may stand between a site and each emitter, where rays find direct light.
-    pub(crate) fn around(&self, site: &Site) -> Option<Occluders> {
+    /// Rays for direct light, where they find it.
+    pub(crate) fn penumbra(&self) -> Option<&Penumbra<'a>> {
         match &self.direct {
-            DirectSource::Rays(light) => Some(light.around(site)),
-            DirectSource::None | DirectSource::Exact(_) => None,
-        }
-    }
-
-    /// The part of `around` that may stand between a part of the site that this was listed for and each emitter.
-    pub(crate) fn narrowed(&self, around: &Occluders, part: &Site) -> Option<Occluders> {
-        match &self.direct {
-            DirectSource::Rays(light) => Some(light.narrowed(around, part)),
+            DirectSource::Rays(light) => Some(light),
             DirectSource::None | DirectSource::Exact(_) => None,
         }
     }
@@ -220,6 +210,11 @@ impl<'a> PictureLight<'a> {
             let into = (eye - seen.place.position).normalize_or_zero();
             self.solution.emitters().radiances.relative(seen.place.surface, into)
         })
+    }
+
+    /// Mean irradiance of the scene, the sum over the bands (W m⁻²).
+    pub(crate) fn mean(&self) -> f64 {
+        self.mean
     }
 
     /// The solution whose light it is.

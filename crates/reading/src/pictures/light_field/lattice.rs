@@ -10,7 +10,7 @@
 use radiosity_elements::Elements;
 
 use super::extent::Extent;
-use super::open_part::OpenPart;
+use super::open_part::{OpenPart, open_place};
 use crate::pictures::eye::SeenPlace;
 
 /// Side of the first cells over the diagonal of the scene: light in a room varies over some parts of it. Chosen.
@@ -103,18 +103,10 @@ impl Lattice {
 
     /// The place of a node; None where no open place is near.
     pub(super) fn place(&self, elements: &Elements, node: NodeIndex, diagonal: f64) -> Option<SeenPlace> {
-        let shape = elements.shape(self.surface);
         let own: [f64; 2] = std::array::from_fn(|axis| {
             let count = self.cells[axis] << Self::FINEST;
             -1.0 + 2.0 * f64::from(node.finest[axis]) / count as f64
         });
-        let at = match &self.open {
-            Some(open) => {
-                let foot = shape.project(open.nearest(shape.jet(own[0], own[1]).position, f64::INFINITY)?);
-                [foot.u, foot.v]
-            }
-            None => own,
-        };
-        SeenPlace::at(elements, self.surface, at, diagonal)
+        open_place(elements, self.surface, self.open.as_ref(), own, f64::INFINITY, diagonal)
     }
 }

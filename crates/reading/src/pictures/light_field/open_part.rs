@@ -1,5 +1,6 @@
 //! The part of a flat surface that is lit, and its points nearest to others.
 
+use crate::pictures::eye::SeenPlace;
 use radiosity_elements::Elements;
 use radiosity_elements::patch::Patch;
 use radiosity_geom::{DVec3, Rect, distance_to_segment, overhang, sides};
@@ -30,7 +31,7 @@ impl OpenPart {
     }
 
     /// The open point nearest to x, kept a little inside; None where it is further than `reach` (scene length).
-    pub(crate) fn nearest(&self, x: DVec3, reach: f64) -> Option<DVec3> {
+    fn nearest(&self, x: DVec3, reach: f64) -> Option<DVec3> {
         let outside = |piece: &[DVec3]| overhang(piece, self.normal, x);
         let inside = self.pieces.iter().find(|piece| outside(piece) <= 0.0);
         let (piece, point) = match inside {
@@ -51,4 +52,26 @@ impl OpenPart {
         let along = (x - a).dot(b - a) / a.distance_squared(b);
         (distance <= reach).then(|| (piece, a.lerp(b, along.clamp(0.0, 1.0))))
     }
+}
+
+/// The place of a surface that is nearest to these parameters, in the part `open` of a flat one; None where it is
+/// further than `reach` (scene length), in a hole or under a body. The scene has this diagonal.
+pub(crate) fn open_place(
+    elements: &Elements,
+    surface: usize,
+    open: Option<&OpenPart>,
+    parameters: [f64; 2],
+    reach: f64,
+    diagonal: f64,
+) -> Option<SeenPlace> {
+    let shape = elements.shape(surface);
+    let at = match open {
+        Some(open) => {
+            let [u, v] = parameters;
+            let foot = shape.project(open.nearest(shape.jet(u, v).position, reach)?);
+            [foot.u, foot.v]
+        }
+        None => parameters,
+    };
+    SeenPlace::at(elements, surface, at, diagonal)
 }

@@ -5,7 +5,7 @@ use radiosity_geom::{Jet, Rect, Surface};
 
 use crate::pictures::eye::SeenPlace;
 use crate::pictures::light_field::extent::Extent;
-use crate::pictures::light_field::open_part::OpenPart;
+use crate::pictures::light_field::open_part::{OpenPart, open_place};
 
 /// Greatest distance from the open part to the centre of a texel that takes the light of its nearest point,
 /// over the diagonal of a texel: interpolation inside asks for texels up to 1 away.
@@ -40,18 +40,8 @@ impl<'a> Places<'a> {
 
     /// The place at which the light of a texel is computed; None where no place in the open is near to it.
     pub(super) fn at(&self, texel: [usize; 2]) -> Option<SeenPlace> {
-        let Self { elements, surface, size, .. } = *self;
-        let shape = elements.shape(surface);
-        let own = parameters(size, texel);
-        let at = match &self.open {
-            Some(open) => {
-                let foot =
-                    shape.project(open.nearest(shape.jet(own[0], own[1]).position, REACH * self.texel)?);
-                [foot.u, foot.v]
-            }
-            None => own,
-        };
-        SeenPlace::at(elements, surface, at, self.diagonal)
+        let own = parameters(self.size, texel);
+        open_place(self.elements, self.surface, self.open.as_ref(), own, REACH * self.texel, self.diagonal)
     }
 
     /// Diagonal of the scene (scene length).
