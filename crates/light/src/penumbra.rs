@@ -147,6 +147,8 @@ pub struct DirectEstimate {
     pub points: Vec<f64>,
     /// Emitters that the point sees.
     pub visible: VisibleEmitters,
+    /// Standard deviation of it, the mean over the bands (W m⁻²).
+    pub error: f64,
 }
 
 /// The irradiance from an element over its exitance.
@@ -254,13 +256,14 @@ impl<'a> Penumbra<'a> {
         let mut beams: SmallVec<[EmitterBeam; 1]> = beams.filter(|beam| !is_dark(beam)).collect();
         arrives += beams.iter().map(|beam| beam.source.lamp.brightness * beam.factor()).sum::<f64>();
         let tolerance = effort.error_factor * self.eps * (beside + arrives).max(DARK * all);
-        self.refine(receiver, &mut beams, tolerance, effort.sure);
+        let error = self.refine(receiver, &mut beams, tolerance, effort.sure);
         let factor =
             |beam: &EmitterBeam| EmitterFactor { element: beam.source.lamp.element, value: beam.factor() };
         DirectEstimate {
             visible: visible_emitters(&beams, &clear),
             factors: beams.iter().map(factor).chain(clear).collect(),
             points,
+            error,
         }
     }
 
@@ -386,12 +389,15 @@ impl<'a> Penumbra<'a> {
         (EDGE * LEAST * share / self.eps).powf(4.0 / 3.0).min(FIRST_TO_CURVED)
     }
 
-    /// Doubles the rays to the emitter whose light errs most, until all together err by `tolerance` at most.
-    fn refine(&self, receiver: &ReceiverPoint, beams: &mut [EmitterBeam], tolerance: f64, sure: bool) {
+    /// Doubles the rays to the emitter whose light errs most, until all together err by `tolerance` at most; the error
+    /// that is left, the mean over the bands (W m⁻²).
+    fn refine(&self, receiver: &ReceiverPoint, beams: &mut [EmitterBeam], tolerance: f64, sure: bool) -> f64 {
         let mut errors: SmallVec<[f64; 16]> = beams.iter().map(|beam| beam.error(sure)).collect();
-        while errors.iter().map(|error| error * error).sum::<f64>() > tolerance * tolerance {
+        loop {
+            let all = errors.iter().map(|error| error * error).sum::<f64>().sqrt();
             let open = (0..beams.len()).filter(|k| beams[*k].known.is_none() && beams[*k].sent < MOST);
-            let Some(worst) = open.max_by(|a, b| errors[*a].total_cmp(&errors[*b])) else { return };
+            let worst = open.max_by(|a, b| errors[*a].total_cmp(&errors[*b]));
+            let Some(worst) = worst.filter(|_| all > tolerance) else { return all };
             let beam = &mut beams[worst];
             self.send(receiver, beam, beam.sent);
             errors[worst] = beam.error(sure);

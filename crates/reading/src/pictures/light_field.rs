@@ -21,7 +21,7 @@
 
 pub(crate) mod extent;
 pub(crate) mod open_part;
-mod fit;
+pub(crate) mod fit;
 mod lattice;
 
 use std::collections::{BTreeSet, HashMap};
@@ -35,12 +35,8 @@ use serde::{Deserialize, Serialize};
 use super::eye::SeenPlace;
 use super::picture_light::{ComputedLight, PictureLight};
 use super::pixel_count::PixelCount;
-use fit::{Fit, FitResult};
+use fit::{AMPLIFIED, BENT, Fit, FitResult};
 use lattice::{Lattice, NodeIndex};
-
-/// Most difference from a fit of one degree less, over the most residual of a fit. Chosen: the error that
-/// remains is smaller by about as much; fits of few values leave little even where light peaks between them.
-const BENT: f64 = 3.0;
 
 /// Fineness of a field.
 #[derive(Clone, Copy, Debug)]
@@ -61,10 +57,6 @@ const BY_RAYS: Fineness = Fineness { rough: 1e-2, finest: 2.5 };
 /// Distance of nodes over that of shown places up to which twice the residual is allowed: such places are small.
 /// Chosen.
 const SMALL: f64 = 8.0;
-
-/// Most factor by which a fit amplifies errors of its values. Chosen: 1 inside, about 1.3 at a border that has
-/// nodes.
-const AMPLIFIED: f64 = 1.6;
 
 /// Places that one thread fits after each other. Chosen: they take some microseconds each.
 const TOGETHER: usize = 256;
@@ -254,7 +246,7 @@ impl<'a> LightField<'a> {
 }
 
 /// The offset of a place in the tangent plane of another (scene length).
-fn offset(from: &SeenPlace, to: &SeenPlace) -> [f64; 2] {
+pub(crate) fn offset(from: &SeenPlace, to: &SeenPlace) -> [f64; 2] {
     let (along, across) = from.normal.any_orthonormal_pair();
     let step = to.place.position - from.place.position;
     [step.dot(along), step.dot(across)]

@@ -42,6 +42,8 @@ pub(crate) struct DirectIrradiance {
     pub bands: Vec<f64>,
     /// Emitters that were seen, where rays looked for them.
     pub visible: Option<VisibleEmitters>,
+    /// Standard deviation of the sum over the bands (W m⁻²).
+    pub error: f64,
 }
 
 /// Light that was computed.
@@ -57,6 +59,8 @@ pub(crate) struct ComputedLight {
 #[derive(Debug)]
 pub(crate) struct PictureLight<'a> {
     solution: &'a Solution,
+    /// Relative accuracy of what is computed.
+    eps: f64,
     /// Mean irradiance of the scene, the sum over the bands (W m⁻²).
     mean: f64,
     shown: Quantity,
@@ -95,7 +99,7 @@ impl<'a> PictureLight<'a> {
             _ => DirectSource::Rays(Penumbra::new(&emitters, visibility, IN_PENUMBRA * eps)),
         };
         let mean = solution.mean_arriving().iter().sum();
-        Self { solution, mean, shown: Quantity::default(), eye: None, direct, rest }
+        Self { solution, eps, mean, shown: Quantity::default(), eye: None, direct, rest }
     }
 
     /// This light, of which a picture shows the quantity `shown`, as seen from the point `eye`.
@@ -111,6 +115,16 @@ impl<'a> PictureLight<'a> {
     /// Whether rays gather the rest.
     pub(crate) fn gathers_by_rays(&self) -> bool {
         self.rest.as_ref().is_some_and(|rest| matches!(rest.by(), GatheredBy::Rays(_)))
+    }
+
+    /// Relative accuracy of what is computed.
+    pub(crate) fn eps(&self) -> f64 {
+        self.eps
+    }
+
+    /// Whether direct light at a place takes longer than a fit to what is known around it.
+    pub(crate) fn is_direct_dear(&self) -> bool {
+        matches!(self.direct, DirectSource::Rays(_))
     }
 
     /// Rays for direct light, where they find it.
@@ -130,7 +144,7 @@ impl<'a> PictureLight<'a> {
         effort: RayEffort,
     ) -> DirectIrradiance {
         let mut bands = vec![0.0; self.solution.bands().len()];
-        let mut visible = None;
+        let (mut visible, mut error) = (None, 0.0);
         match &self.direct {
             DirectSource::None => {}
             DirectSource::Exact(light) => {
@@ -148,9 +162,10 @@ impl<'a> PictureLight<'a> {
                     }
                 }
                 visible = Some(estimate.visible);
+                error = estimate.error * bands.len() as f64;
             }
         }
-        DirectIrradiance { bands, visible }
+        DirectIrradiance { bands, visible, error }
     }
 
     /// The rest of the light beside the direct light `lit` (W m⁻² per band).

@@ -103,8 +103,7 @@ impl<'a> DoubtfulPlaces<'a> {
     /// The reflected light of a point in a gap, one of many, beside the direct light `lit` (W m⁻² per band); None
     /// elsewhere.
     pub(super) fn reflected_in_gap(&self, receiver: &ReceiverPoint, lit: &[f64]) -> Option<ReadIrradiance> {
-        let origin = Receiver::Point(*receiver);
-        self.gaps.hold(receiver).then(|| self.shadows.reflected_alone(&origin, lit))
+        self.gaps.about(receiver).map(|own| self.shadows.reflected_in_gap(receiver, own, lit))
     }
 
     /// The light of a doubtful point or patch, where so much is `lit` by emitters and so much `reflected` light was

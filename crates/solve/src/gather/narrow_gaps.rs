@@ -44,17 +44,21 @@ impl<'a> NarrowGaps<'a> {
         area(&mut list.iter().filter(is_in_gap)) / area(&mut list.iter())
     }
 
-    /// Whether a point of a surface lies in a narrow gap under another one; under one that touches it is in none.
+    /// Whether a point of a surface lies in a narrow gap under another one.
     pub(super) fn hold(&self, receiver: &ReceiverPoint) -> bool {
+        self.about(receiver).is_some()
+    }
+
+    /// The surfaces of the narrow gap in which a point of one of them lies; under one that touches it is in none.
+    pub(super) fn about(&self, receiver: &ReceiverPoint) -> Option<[usize; 2]> {
         let up = receiver.ground.unwrap_or(receiver.normal);
         let extent = |surface: usize| self.solution.elements().shape(surface).bounds(&Rect::FULL).diagonal();
         let diagonal = self.visibility.bounds().diagonal();
         let heights = COINCIDENT * diagonal..=NARROW_IN_SCENE * diagonal;
-        receiver.surface.is_some_and(|surface| {
-            self.visibility.nearest_from(surface, receiver.position, up).is_some_and(|met| {
-                let narrow = || NARROW * extent(surface).min(extent(met.surface));
-                met.surface != surface && heights.contains(&met.hit.t) && met.hit.t <= narrow()
-            })
-        })
+        let surface = receiver.surface?;
+        let met = self.visibility.nearest_from(surface, receiver.position, up)?;
+        let narrow = || NARROW * extent(surface).min(extent(met.surface));
+        let is_near = met.surface != surface && heights.contains(&met.hit.t) && met.hit.t <= narrow();
+        is_near.then_some([surface, met.surface])
     }
 }

@@ -27,6 +27,7 @@ use crate::gather::ray_estimate::{Batches, Beside};
 use crate::gather::read_irradiance::ReadIrradiance;
 use crate::gather::receiver::Receiver;
 use crate::gather::receiver_rays::{Onward, ReceiverRays};
+use crate::gather::trusted_light::WalkEnds;
 use crate::solution::Solution;
 
 /// Cosine-distributed rays of each sequence before the error is first looked at; in pictures, where readings
@@ -62,9 +63,9 @@ impl Beyond {
     fn onward(self, held: Held) -> Onward {
         match self {
             Self::Polynomials => Onward::Ends(Ending::Polynomials(held)),
-            Self::Trusted => Onward::Walks { trusts: true },
+            Self::Trusted => Onward::Walks(WalkEnds::Trusted),
             Self::Gathered => Onward::Ends(Ending::Gathered),
-            Self::Walked => Onward::Walks { trusts: false },
+            Self::Walked => Onward::Walks(WalkEnds::Never),
         }
     }
 }
@@ -136,6 +137,19 @@ impl<'a> RayGather<'a> {
     pub(super) fn reflected_alone(&self, origin: &Receiver, other: &[f64]) -> ReadIrradiance {
         let rays = ReceiverRays::reflected(&self.light, origin, self.beyond.onward(Held::READ));
         self.gathered(&rays, FIRST, other)
+    }
+
+    /// The reflected light of a point alone, one of many, in a narrow gap between the surfaces `own`, accurate relative
+    /// to this and the light `other` (W m⁻² per band).
+    pub(super) fn reflected_in_gap(
+        &self,
+        receiver: &ReceiverPoint,
+        own: [usize; 2],
+        other: &[f64],
+    ) -> ReadIrradiance {
+        let origin = Receiver::Point(*receiver);
+        let rays = ReceiverRays::reflected(&self.light, &origin, Onward::Walks(WalkEnds::OutOfGap(own)));
+        self.gathered(&rays, FIRST_OF_MANY, other)
     }
 
     /// The reflected light of a point alone, one of many, accurate relative to this and the light `other` (W m⁻²

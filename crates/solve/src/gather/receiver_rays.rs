@@ -30,6 +30,7 @@ use radiosity_work::interruption::check_interrupt_at;
 use crate::gather::met_light::{Ending, MetLight};
 use crate::gather::receiver::Receiver;
 use crate::gather::sent_rays::{AimedRays, RayMix, SentRays};
+use crate::gather::trusted_light::WalkEnds;
 use crate::gather::walked_light::{Draws, Scores, WalkedLight};
 
 /// Rays to emitters, and to what glows, for each cosine-distributed one, M/N.
@@ -40,8 +41,8 @@ const TO_LAMPS: f64 = 0.5;
 pub(super) enum Onward {
     /// There.
     Ends(Ending),
-    /// By walks, which end at light that is trusted, if any is (`super::trusted_light`).
-    Walks { trusts: bool },
+    /// By walks.
+    Walks(WalkEnds),
 }
 
 /// Rays from a receiver.
@@ -90,7 +91,7 @@ impl<'s> ReceiverRays<'s> {
     pub(super) fn add(&self, number: u64, rays: Range<u64>, scores: &mut Scores) {
         match self.onward {
             Onward::Ends(ending) => self.send_around(ending, number, rays.clone(), scores.sums),
-            Onward::Walks { trusts } => self.walk_around(trusts, number, rays.clone(), scores),
+            Onward::Walks(ends) => self.walk_around(ends, number, rays.clone(), scores),
         }
         let [first, end] = [rays.start, rays.end].map(|count| (count as f64 * TO_LAMPS) as u64);
         if !self.glowing.is_empty() {
@@ -133,11 +134,11 @@ impl<'s> ReceiverRays<'s> {
     }
 
     /// Begins the walks of these indices.
-    fn walk_around(&self, trusts: bool, number: u64, walks: Range<u64>, scores: &mut Scores) {
+    fn walk_around(&self, ends: WalkEnds, number: u64, walks: Range<u64>, scores: &mut Scores) {
         let rays = &self.light.rays;
         let offset: [f64; 4] = shift(number);
         let further: [f64; 8] = offsets(number);
-        let walked = self.walked(trusts);
+        let walked = self.walked(ends);
         for index in walks {
             if !scores.are_whole {
                 return;
@@ -154,8 +155,8 @@ impl<'s> ReceiverRays<'s> {
     }
 
     /// Walks from what rays meet.
-    fn walked(&self, trusts: bool) -> WalkedLight<'_> {
-        WalkedLight::new(self.light.sent, &self.light.rays, trusts)
+    fn walked(&self, ends: WalkEnds) -> WalkedLight<'_> {
+        WalkedLight::new(self.light.sent, &self.light.rays, ends)
     }
 
     /// Sends rays of these indices to what glows.
@@ -173,9 +174,9 @@ impl<'s> ReceiverRays<'s> {
                 Onward::Ends(ending) => {
                     self.light.add_reflected_by(&met, ending.of_ray(chance), weight, scores.sums);
                 }
-                Onward::Walks { trusts } => {
+                Onward::Walks(ends) => {
                     let further = number_of([f64::from_bits(chance), 5.0]);
-                    self.walked(trusts).add(met, weight, Draws::of(chance), further, scores);
+                    self.walked(ends).add(met, weight, Draws::of(chance), further, scores);
                 }
             }
         }

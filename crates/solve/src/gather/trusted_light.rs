@@ -23,6 +23,17 @@ const FAR: f64 = 2.0;
 /// much.
 const NEAR: f64 = 2.0;
 
+/// Where walks end at polynomials.
+#[derive(Clone, Copy)]
+pub(super) enum WalkEnds {
+    /// Nowhere.
+    Never,
+    /// Where those of reflected light are trusted.
+    Trusted,
+    /// On all surfaces but these two, between which there is a narrow gap.
+    OutOfGap([usize; 2]),
+}
+
 /// Whether the polynomials of the front `there` of an element are trusted with the light that a ray met.
 pub(super) fn is_trusted(rays: &SentRays, met: &Met, there: &ReceiverPoint) -> bool {
     !is_seen_large(rays, met) && !rays.lamps.is_near(there, NEAR)

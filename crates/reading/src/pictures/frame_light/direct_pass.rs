@@ -1,6 +1,15 @@
-//! Direct light at the middles of pixels: by few rays first, and by more where pixels beside each other see
-//! other emitters.
+//! Direct light at the places of a frame: computed at the pixels of a coarse grid, and between them fitted where it is
+//! even, computed where it is not.
+//!
+//! Around a pixel a polynomial is fitted to the light of the grid's pixels on its surface (`light_field::fit`). It holds
+//! where it leaves at most ε of all light E, or of √(E Ē) in places darker than the mean Ē of the scene, beside their
+//! own errors. Of every cell of the grid one more pixel is computed: where its fit errs by more, as across a shadow that
+//! is narrower than a cell, the pixels around are computed too, and so on along that shadow. A shadow is missed where
+//! it is narrower than a pixel, or lies in a cell or two.
+//!
+//! By few rays first, and by more where pixels beside each other see other emitters.
 
+use radiosity_elements::sampling::shift::{number_of, shift};
 use radiosity_light::penumbra::{RayEffort, VisibleEmitters};
 use radiosity_work::ranks::PartName;
 use radiosity_work::{Stage, Work};
@@ -8,9 +17,17 @@ use rayon::prelude::*;
 
 use super::frame::Frame;
 use crate::pictures::eye::SeenPlace;
+use crate::pictures::light_field::fit::{AMPLIFIED, BENT, Fit, FitResult};
+use crate::pictures::light_field::offset;
 use crate::pictures::neighbourhoods::Neighbourhoods;
 use crate::pictures::picture_light::{DirectIrradiance, PictureLight};
 use crate::pictures::pixel_count::PixelCount;
+
+/// Pixels from one of the grid to the next. Chosen.
+const STEP: usize = 4;
+
+/// Reach of a fit, in cells of the grid.
+const REACH: f64 = 2.0;
 
 /// Pixels that are compared with one, to each side. Chosen: with first rays that miss a shadow in four of
 /// five pixels, one of so many still finds it.
@@ -19,46 +36,218 @@ const BESIDE: isize = 2;
 /// Pixels that one thread looks at after each other. Chosen: they take some microseconds each.
 const TOGETHER: usize = 64;
 
-/// The direct irradiance of all pixels; nothing where nothing is seen. All pixels are told, then those that
-/// are computed again.
-pub(crate) fn lit(frame: &Frame, light: &PictureLight, work: &Work<'_>) -> Vec<Vec<f64>> {
-    let neighbourhoods =
-        Neighbourhoods::of(light, frame.len(), |pixel| Some((frame.place(pixel), frame.seen(pixel)?)));
-    let look = |pixel: usize, sure: bool, pixel_count: &PixelCount| {
-        let effort = RayEffort { error_factor: 1.0, sure };
-        let around = neighbourhoods.around(pixel);
-        let direct = |seen: &SeenPlace| light.direct(seen, around, effort);
-        let lit = frame.seen(pixel).map_or_else(DirectIrradiance::default, direct);
-        pixel_count.add();
-        lit
-    };
-    let ranks = work.ranks;
-    let pixel_count = PixelCount::new(frame.len(), Stage::DirectPixels, work);
-    let first: Vec<DirectIrradiance> =
-        ranks
-            .map_even(PartName::DirectLight, frame.len(), TOGETHER, |pixel| look(pixel, false, &pixel_count));
-    let unsure: Vec<usize> =
-        (0..frame.len()).into_par_iter().filter(|pixel| is_unsure(frame, &first, *pixel)).collect();
-    let pixel_count = PixelCount::new(unsure.len(), Stage::DirectPixels, work);
-    let sure = |place: usize| look(unsure[place], true, &pixel_count);
-    let again: Vec<DirectIrradiance> =
-        ranks.map_even(PartName::MoreDirectLight, unsure.len(), TOGETHER, sure);
-    let mut all: Vec<Vec<f64>> = first.into_iter().map(|lit| lit.bands).collect();
-    unsure.into_iter().zip(again).for_each(|(pixel, lit)| all[pixel] = lit.bands);
-    all
+/// Light of a pixel.
+#[derive(Clone, Debug)]
+enum PixelLight {
+    /// Nothing is seen, or nothing is known yet.
+    Unknown,
+    /// Irradiance per band (W m⁻²) by a fit.
+    Fitted(Vec<f64>),
+    Computed(DirectIrradiance),
 }
 
-/// Whether a pixel sees some emitters wholly and the others not at all, but one beside it on the same surface
-/// does not see the same.
-fn is_unsure(frame: &Frame, all: &[DirectIrradiance], pixel: usize) -> bool {
-    let (Some(seen), Some(visible @ VisibleEmitters::Sees(_))) = (frame.seen(pixel), all[pixel].visible)
-    else {
-        return false;
-    };
-    let [column, row] = frame.place(pixel).map(|at| at as isize);
-    let beside = (-BESIDE..=BESIDE).flat_map(|j| (-BESIDE..=BESIDE).map(move |i| [column + i, row + j]));
-    beside.filter_map(|at| frame.pixel(at)).any(|other| {
-        all[other].visible.is_some_and(|other| other != visible)
-            && frame.seen(other).is_some_and(|other| seen.goes_with(other))
-    })
+/// Direct light at the pixels of a frame, as far as it is known.
+struct DirectPass<'a> {
+    frame: &'a Frame,
+    light: &'a PictureLight<'a>,
+    neighbourhoods: Neighbourhoods,
+    work: &'a Work<'a>,
+    pixels: Vec<PixelLight>,
+}
+
+/// The direct irradiance per band (W m⁻²) of all pixels; nothing where nothing is seen.
+pub(crate) fn lit(frame: &Frame, light: &PictureLight, work: &Work<'_>) -> Vec<Vec<f64>> {
+    let mut pass = DirectPass::new(frame, light, work);
+    if light.is_direct_dear() {
+        pass.compute(&pass.grid(), true);
+        pass.fit();
+        pass.test();
+    }
+    let open: Vec<usize> = (0..frame.len()).filter(|pixel| pass.is_open(*pixel)).collect();
+    pass.compute(&open, false);
+    pass.make_sure(&open);
+    pass.bands()
+}
+
+impl<'a> DirectPass<'a> {
+    fn new(frame: &'a Frame, light: &'a PictureLight<'a>, work: &'a Work<'a>) -> Self {
+        let neighbourhoods =
+            Neighbourhoods::of(light, frame.len(), |pixel| Some((frame.place(pixel), frame.seen(pixel)?)));
+        Self { frame, light, neighbourhoods, work, pixels: vec![PixelLight::Unknown; frame.len()] }
+    }
+
+    /// The pixels of the grid that see anything.
+    fn grid(&self) -> Vec<usize> {
+        let is_of_grid = |pixel: &usize| self.frame.place(*pixel).iter().all(|at| at % STEP == 0);
+        (0..self.frame.len()).filter(is_of_grid).filter(|pixel| self.frame.seen(*pixel).is_some()).collect()
+    }
+
+    fn is_open(&self, pixel: usize) -> bool {
+        matches!(self.pixels[pixel], PixelLight::Unknown) && self.frame.seen(pixel).is_some()
+    }
+
+    /// Computes the light of these pixels.
+    fn compute(&mut self, pixels: &[usize], sure: bool) {
+        let effort = RayEffort { error_factor: 1.0, sure };
+        let pixel_count = PixelCount::new(pixels.len(), Stage::DirectPixels, self.work);
+        let part = if sure { PartName::MoreDirectLight } else { PartName::DirectLight };
+        let computed: Vec<DirectIrradiance> =
+            self.work.ranks.map_even(part, pixels.len(), TOGETHER, |index| {
+                let around = self.neighbourhoods.around(pixels[index]);
+                let direct = |seen: &SeenPlace| self.light.direct(seen, around, effort);
+                let lit = self.frame.seen(pixels[index]).map_or_else(DirectIrradiance::default, direct);
+                pixel_count.add();
+                lit
+            });
+        for (pixel, lit) in pixels.iter().zip(computed) {
+            self.pixels[*pixel] = PixelLight::Computed(lit);
+        }
+    }
+
+    /// Fits the light of all other pixels where fits hold.
+    fn fit(&mut self) {
+        let open: Vec<usize> = (0..self.frame.len()).filter(|pixel| self.is_open(*pixel)).collect();
+        let fitted: Vec<Option<Vec<f64>>> = open.par_iter().map(|pixel| self.fitted(*pixel)).collect();
+        for (pixel, fitted) in open.into_iter().zip(fitted) {
+            self.pixels[pixel] = fitted.map_or(PixelLight::Unknown, PixelLight::Fitted);
+        }
+    }
+
+    /// The light of a pixel by those of the grid around; None where that is not even.
+    fn fitted(&self, pixel: usize) -> Option<Vec<f64>> {
+        let seen = self.frame.seen(pixel)?;
+        let mut fit = Fit::new();
+        let mut emitters = None;
+        let at = self.frame.place(pixel);
+        let first = at.map(|at| (at / STEP) as isize);
+        for (i, j) in (-1..=2).flat_map(|j| (-1..=2).map(move |i| (first[0] + i, first[1] + j))) {
+            let Some(node) = self.frame.pixel([i, j].map(|at| at * STEP as isize)) else { continue };
+            let PixelLight::Computed(lit) = &self.pixels[node] else { continue };
+            let Some(there) = self.frame.seen(node).filter(|there| seen.goes_with(there)) else { continue };
+            let weight = weight(at, [i, j]);
+            if weight == 0.0 {
+                continue;
+            }
+            if let Some(own @ VisibleEmitters::Sees(_)) = lit.visible
+                && *emitters.get_or_insert(own) != own
+            {
+                return None;
+            }
+            fit.take(offset(seen, there), weight, &lit.bands, lit.error);
+        }
+        let FitResult { value, residual, noise, amplified, bend } = fit.found()?;
+        let missed = residual.max(bend / BENT);
+        let left = (missed * missed - noise * noise).max(0.0).sqrt();
+        (amplified <= AMPLIFIED && left <= self.tolerance(seen, &value)).then_some(value)
+    }
+
+    /// Most error of the sum over the bands (W m⁻²) at a place with this direct light.
+    fn tolerance(&self, seen: &SeenPlace, direct: &[f64]) -> f64 {
+        let all = direct.iter().sum::<f64>() + self.light.polynomials(seen).iter().sum::<f64>();
+        self.light.eps() * (all * all.max(self.light.mean())).sqrt()
+    }
+
+    /// Computes the light of a pixel of every cell with fitted ones, and of those around where a fit errs by more
+    /// than is allowed.
+    fn test(&mut self) {
+        let mut asked = self.tests();
+        while !asked.is_empty() {
+            let fits: Vec<PixelLight> = asked.iter().map(|pixel| self.pixels[*pixel].clone()).collect();
+            self.compute(&asked, true);
+            let mut around = vec![];
+            for (pixel, fit) in asked.into_iter().zip(fits) {
+                if self.is_off(pixel, &fit) {
+                    around.extend(self.fitted_around(pixel));
+                }
+            }
+            around.sort_unstable();
+            around.dedup();
+            asked = around;
+        }
+    }
+
+    /// One fitted pixel of every cell, each at another place in it.
+    fn tests(&self) -> Vec<usize> {
+        let mut asked = Vec::new();
+        for cell in self.grid() {
+            let [column, row] = self.frame.place(cell);
+            let choice: [f64; 2] = shift(number_of([column as f64, row as f64]));
+            let [i, j] = choice.map(|part| (part * STEP as f64) as usize);
+            let pixel = self.frame.pixel([(column + i) as isize, (row + j) as isize]);
+            asked.extend(pixel.filter(|pixel| self.is_fitted(*pixel)));
+        }
+        asked
+    }
+
+    fn is_fitted(&self, pixel: usize) -> bool {
+        matches!(self.pixels[pixel], PixelLight::Fitted(_))
+    }
+
+    /// Whether a fit errs by more than is allowed at a pixel that is computed.
+    fn is_off(&self, pixel: usize, fit: &PixelLight) -> bool {
+        let (PixelLight::Computed(lit), PixelLight::Fitted(fitted), Some(seen)) =
+            (&self.pixels[pixel], fit, self.frame.seen(pixel))
+        else {
+            return false;
+        };
+        let off = lit.bands.iter().sum::<f64>() - fitted.iter().sum::<f64>();
+        off.abs() > self.tolerance(seen, &lit.bands) + 2.0 * lit.error
+    }
+
+    /// The fitted pixels around one, as far away as the next of the grid.
+    fn fitted_around(&self, pixel: usize) -> impl Iterator<Item = usize> {
+        let [column, row] = self.frame.place(pixel).map(|at| at as isize);
+        let reach = -(STEP as isize)..=STEP as isize;
+        let all = reach.clone().flat_map(move |j| reach.clone().map(move |i| [column + i, row + j]));
+        all.filter_map(|at| self.frame.pixel(at)).filter(|pixel| self.is_fitted(*pixel))
+    }
+
+    /// Computes again those of the pixels `asked` of which it is not sure what they see.
+    fn make_sure(&mut self, asked: &[usize]) {
+        let is_unsure = |pixel: &&usize| self.is_unsure(**pixel);
+        let unsure: Vec<usize> = asked.par_iter().filter(is_unsure).copied().collect();
+        self.compute(&unsure, true);
+    }
+
+    /// Whether a pixel sees some emitters wholly and the others not at all, but one beside it on the same surface
+    /// does not see the same.
+    fn is_unsure(&self, pixel: usize) -> bool {
+        let (Some(seen), Some(visible @ VisibleEmitters::Sees(_))) =
+            (self.frame.seen(pixel), self.visible(pixel))
+        else {
+            return false;
+        };
+        let [column, row] = self.frame.place(pixel).map(|at| at as isize);
+        let mut beside =
+            (-BESIDE..=BESIDE).flat_map(|j| (-BESIDE..=BESIDE).map(move |i| [column + i, row + j]));
+        beside.any(|at| {
+            self.frame.pixel(at).is_some_and(|other| {
+                self.visible(other).is_some_and(|other| other != visible)
+                    && self.frame.seen(other).is_some_and(|other| seen.goes_with(other))
+            })
+        })
+    }
+
+    /// Emitters that a pixel sees, where that is known.
+    fn visible(&self, pixel: usize) -> Option<VisibleEmitters> {
+        match &self.pixels[pixel] {
+            PixelLight::Computed(lit) => lit.visible,
+            PixelLight::Unknown | PixelLight::Fitted(_) => None,
+        }
+    }
+
+    fn bands(self) -> Vec<Vec<f64>> {
+        let own = |light| match light {
+            PixelLight::Unknown => Vec::new(),
+            PixelLight::Fitted(bands) => bands,
+            PixelLight::Computed(lit) => lit.bands,
+        };
+        self.pixels.into_iter().map(own).collect()
+    }
+}
+
+/// The weight (1 − (r/R)²)² in the fit at a pixel of one of the grid, r in its cells.
+fn weight(pixel: [usize; 2], node: [isize; 2]) -> f64 {
+    let apart = |axis: usize| pixel[axis] as f64 / STEP as f64 - node[axis] as f64;
+    (1.0 - (apart(0).powi(2) + apart(1).powi(2)) / (REACH * REACH)).max(0.0).powi(2)
 }

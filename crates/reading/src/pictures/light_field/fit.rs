@@ -22,6 +22,14 @@ const SPARE: usize = 1;
 /// Least square of a pivot over its diagonal entry: places nearly on a curve know less. Chosen.
 const FLAT: f64 = 1e-3;
 
+/// Most factor by which a fit amplifies errors of its values, where it is trusted. Chosen: 1 inside, about 1.3 at a
+/// border that has values.
+pub(crate) const AMPLIFIED: f64 = 1.6;
+
+/// Most difference from a fit of one degree less, over the most residual of a fit, where it is trusted. Chosen: the
+/// error that remains is smaller by about as much; fits of few values leave little even where light peaks between them.
+pub(crate) const BENT: f64 = 3.0;
+
 /// Values around a place.
 #[derive(Clone, Debug)]
 pub(crate) struct Fit<'a> {
