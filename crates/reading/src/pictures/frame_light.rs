@@ -9,13 +9,14 @@ pub(crate) mod forecast;
 use radiosity_work::Work;
 
 use super::eye::SeenPlace;
-use super::light_field::{AskedPlace, LightField};
+use super::light_field::fit::{AMPLIFIED, BENT, Fit};
+use super::light_field::{AskedPlace, LightField, offset};
 use super::picture_light::PictureLight;
 use direct_pass::lit;
 use frame::Frame;
 
-/// Reach of the light of a pixel (pixels): samples of the pixels beside it.
-const REACH: f64 = 1.5;
+/// Reach of the light of a pixel in fits for samples beside it (pixels). Chosen.
+const REACH: f64 = 2.0;
 
 /// The irradiance of a frame.
 pub(crate) struct FrameLight<'a> {
@@ -47,27 +48,26 @@ impl<'a> FrameLight<'a> {
         self.frame
     }
 
-    /// Irradiance per band (W m⁻²) between the places of a frame, where a point at its column and row sees `seen`,
-    /// from those beside on the same smooth surface; None where there are none, or they differ by more than
-    /// the part `even`.
+    /// Irradiance per band (W m⁻²) between the places of a frame, where a point at its column and row sees `seen`, by a
+    /// fit to those beside on the same smooth surface; None where there are few, or the fit leaves more than the part
+    /// `even`.
     pub(crate) fn beside(&self, at: [f64; 2], seen: &SeenPlace, even: f64) -> Option<Vec<f64>> {
-        let mut sum = vec![0.0; self.bands];
-        let (mut all, mut least, mut most) = (0.0, f64::MAX, 0.0_f64);
+        let mut fit = Fit::new();
         let [column, row] = at.map(|at| at.floor() as isize);
-        for (i, j) in (-1..=1).flat_map(|j| (-1..=1).map(move |i| (column + i, row + j))) {
+        for (i, j) in (-2..=2).flat_map(|j| (-2..=2).map(move |i| (column + i, row + j))) {
             let Some(pixel) = self.frame.pixel([i, j]) else { continue };
-            let Some(irradiance) = self.irradiance(pixel) else { continue };
-            if !self.frame.seen(pixel).is_some_and(|other| seen.goes_with(other)) {
-                continue;
-            }
+            let Some(there) = self.frame.seen(pixel).filter(|there| seen.goes_with(there)) else { continue };
             let weight = weight([at[0] - i as f64 - 0.5, at[1] - j as f64 - 0.5]);
-            all += weight;
-            sum.iter_mut().zip(irradiance).for_each(|(sum, own)| *sum += weight * own);
-            let size: f64 = irradiance.iter().sum();
-            (least, most) = (least.min(size), most.max(size));
+            if let Some(irradiance) = self.irradiance(pixel)
+                && weight > 0.0
+            {
+                fit.take(offset(seen, there), weight, irradiance, 0.0);
+            }
         }
-        let is_even = all > 0.0 && most - least <= even * most;
-        is_even.then(|| sum.into_iter().map(|sum| sum / all).collect())
+        let found = fit.found()?;
+        let all: f64 = found.value.iter().sum();
+        let is_even = found.amplified <= AMPLIFIED && found.residual.max(found.bend / BENT) <= even * all;
+        is_even.then(|| fit.within(found.value))
     }
 
     /// Irradiance per band (W m⁻²) at a place; None where nothing is seen.
@@ -76,9 +76,9 @@ impl<'a> FrameLight<'a> {
     }
 }
 
-/// Weight of the light of a pixel whose middle is `apart` pixels from a sample.
+/// Weight (1 − (r/R)²)² of the light of a pixel whose middle is `apart`, along and down, from a sample (pixels).
 fn weight(apart: [f64; 2]) -> f64 {
-    apart.map(|x| (1.0 - x.abs() / REACH).max(0.0)).into_iter().product()
+    (1.0 - apart.map(|x| x * x).iter().sum::<f64>() / (REACH * REACH)).max(0.0).powi(2)
 }
 
 /// The places of a frame as a light field is asked for them, beside this direct light (W m⁻² per band).
