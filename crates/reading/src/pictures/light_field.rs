@@ -30,6 +30,7 @@ use radiosity_elements::Elements;
 use radiosity_light::penumbra::RayEffort;
 use radiosity_work::ranks::PartName;
 use radiosity_work::{Stage, Work};
+use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
 use super::eye::SeenPlace;
@@ -105,7 +106,7 @@ pub(crate) struct LightField<'a> {
     /// Diagonal of the scene's bounding box (scene length).
     diagonal: f64,
     lattices: HashMap<usize, Lattice>,
-    /// Nodes that were asked for; None where no open place is near.
+    /// Nodes that were asked for; None where no open place is near, and in narrow gaps.
     nodes: HashMap<NodeIndex, Option<Node>>,
 }
 
@@ -120,8 +121,13 @@ impl<'a> LightField<'a> {
     pub(crate) fn at(&mut self, places: &[Option<AskedPlace>], work: &Work<'_>) -> Vec<f64> {
         let bands = self.light.solution().bands().len();
         let mut values = vec![0.0; places.len() * bands];
-        let asked = (0..places.len()).filter(|place| places[*place].is_some());
-        let mut open: Vec<OpenPlace> = asked.map(|place| OpenPlace { place, share: 1.0 }).collect();
+        let (in_gaps, outside) = self.by_gaps(places);
+        for (place, light) in in_gaps.iter().zip(self.each(places, &in_gaps, work)) {
+            let own = &mut values[place * bands..(place + 1) * bands];
+            light.into_iter().for_each(|light| own.copy_from_slice(&light.bands));
+        }
+        let mut open: Vec<OpenPlace> =
+            outside.into_iter().map(|place| OpenPlace { place, share: 1.0 }).collect();
         self.prepare(places.iter().flatten());
         let mut level = 0;
         while !open.is_empty() {
@@ -146,6 +152,25 @@ impl<'a> LightField<'a> {
             level += 1;
         }
         values
+    }
+
+    /// The places in narrow gaps, and the others.
+    fn by_gaps(&self, places: &[Option<AskedPlace>]) -> (Vec<usize>, Vec<usize>) {
+        let asked = (0..places.len()).into_par_iter().filter(|place| places[*place].is_some());
+        asked.partition(|place| {
+            places[*place].as_ref().is_some_and(|asked| self.light.is_in_gap(&asked.seen))
+        })
+    }
+
+    /// The light of each of some places, gathered there.
+    fn each(&self, places: &[Option<AskedPlace>], some: &[usize], work: &Work<'_>) -> Vec<Option<ComputedLight>> {
+        let count = PixelCount::new(some.len(), Stage::GatheredPixels, work);
+        let one = |index: usize| {
+            let light = places[some[index]].as_ref().map(|asked| self.gathered(&asked.seen));
+            count.add();
+            light
+        };
+        work.ranks.map_even(PartName::GatheredLight, some.len(), 1, one)
     }
 
     /// Makes the lattices of the surfaces of these places.
@@ -174,9 +199,12 @@ impl<'a> LightField<'a> {
         self.nodes.extend(wanted.into_iter().zip(computed));
     }
 
-    /// The light of a node; None where no open place is near.
+    /// The light of a node; None where no open place is near, and in narrow gaps.
     fn node(&self, node: NodeIndex) -> Option<Node> {
         let seen = self.lattices[&node.surface].place(self.elements, node, self.diagonal)?;
+        if self.light.is_in_gap(&seen) {
+            return None;
+        }
         Some(Node { seen, light: self.gathered(&seen) })
     }
 

@@ -112,6 +112,11 @@ impl<'a> PictureLight<'a> {
         self.rest.is_some()
     }
 
+    /// Whether a place lies in a narrow gap, in which the rest is another one than around it.
+    pub(crate) fn is_in_gap(&self, seen: &SeenPlace) -> bool {
+        self.rest.as_ref().is_some_and(|rest| rest.is_in_gap(&seen.receiver_point()))
+    }
+
     /// Whether rays gather the rest.
     pub(crate) fn gathers_by_rays(&self) -> bool {
         self.rest.as_ref().is_some_and(|rest| matches!(rest.by(), GatheredBy::Rays(_)))

@@ -100,6 +100,11 @@ impl<'a> DoubtfulPlaces<'a> {
         self.gaps.hold(receiver).then(|| known_beside(self.walks.read(&Receiver::Point(*receiver))))
     }
 
+    /// Whether a point lies in a gap.
+    pub(super) fn is_in_gap(&self, receiver: &ReceiverPoint) -> bool {
+        self.gaps.hold(receiver)
+    }
+
     /// The reflected light of a point in a gap, one of many, beside the direct light `lit` (W m⁻² per band); None
     /// elsewhere.
     pub(super) fn reflected_in_gap(&self, receiver: &ReceiverPoint, lit: &[f64]) -> Option<ReadIrradiance> {

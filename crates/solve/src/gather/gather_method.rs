@@ -122,6 +122,11 @@ impl<'a> Gathering<'a> {
             .unwrap_or_else(|| lit.iter().zip(reflected).map(|(d, s)| d + s).collect::<Vec<f64>>().into())
     }
 
+    /// Whether a point lies in a narrow gap between surfaces, in which light is another one than around it.
+    pub fn is_in_gap(&self, receiver: &ReceiverPoint) -> bool {
+        self.doubtful.as_ref().is_some_and(|places| places.is_in_gap(receiver))
+    }
+
     /// The reflected light of a point, one of many, beside the direct light `lit` (W m⁻² per band).
     pub fn reflected(&self, receiver: &ReceiverPoint, lit: &[f64]) -> ReadIrradiance {
         let in_gap = self.doubtful.as_ref().and_then(|places| places.reflected_in_gap(receiver, lit));
