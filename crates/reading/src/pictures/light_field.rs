@@ -3,7 +3,7 @@
 //! Every surface has lattices of nodes over its parameters, each twice as fine as the one before (`lattice`); a
 //! node outside of the open part of a flat surface lies on its border. Of a place that is asked for, the four
 //! nodes about it are computed, those of the coarsest lattice first, and a polynomial is fitted to the nodes
-//! around (`fit`). The next lattice is asked where the fit leaves more than
+//! around (`fit`). The next lattice is asked where one of the four is missing, where the fit leaves more than
 //!
 //! ```text
 //! r √(E max(E, Ē)) ,     E all light of the place, Ē the mean of the scene,
@@ -220,10 +220,14 @@ impl<'a> LightField<'a> {
     fn fitted(&self, asked: &AskedPlace, level: u32) -> Option<FittedLight> {
         let lattice = self.lattice(asked);
         let fit = self.fit(lattice, asked, level);
+        let is_enclosed = lattice
+            .about(asked.seen.place.parameters, level)
+            .all(|node| self.known(&node).is_some_and(|node| asked.seen.goes_with(&node.seen)));
         let apart = lattice.side(level) / asked.footprint;
         let is_last = apart < self.fineness().finest || level == Lattice::FINEST;
         let found = fit.found();
-        let trust = found.as_ref().map_or(0.0, |found| self.trust(found, apart <= SMALL, asked.beside));
+        let trust = |found: &FitResult| self.trust(found, apart <= SMALL, asked.beside);
+        let trust = found.as_ref().filter(|_| is_enclosed).map_or(0.0, trust);
         match found {
             Some(found) if trust > 0.0 => {
                 let bands = found.value.iter().map(|value| value.max(0.0)).collect();
@@ -258,12 +262,17 @@ impl<'a> LightField<'a> {
         (2.0 * (1.0 - quality)).clamp(0.0, 1.0)
     }
 
+    /// A node that is computed.
+    fn known(&self, node: &NodeIndex) -> Option<&Node> {
+        self.nodes.get(node)?.as_ref()
+    }
+
     /// The fit of the nodes around a place, on the same smooth surface.
     fn fit(&self, lattice: &Lattice, asked: &AskedPlace, level: u32) -> Fit<'_> {
         let mut fit = Fit::new();
         let seen = &asked.seen;
         for node in lattice.around(seen.place.parameters, level) {
-            let Some(Some(Node { seen: there, light })) = self.nodes.get(&node) else { continue };
+            let Some(Node { seen: there, light }) = self.known(&node) else { continue };
             let weight = lattice.weight(seen.place.parameters, there.place.parameters, level);
             if weight > 0.0 && seen.goes_with(there) {
                 fit.take(offset(seen, there), weight, &light.bands, light.error);
