@@ -10,7 +10,8 @@
 //! ```
 //!
 //! beside the nodes' own errors, where polynomials of one degree less say something else, or where it amplifies
-//! errors, until nodes are about as near to each other as the places are that are shown. From half of that on the
+//! errors, until nodes are nearly as near to each other as the places are that are shown: where no fit holds then, and
+//! in narrow gaps, light is gathered at the place itself. From half of that on the
 //! fits of both lattices are mixed, so that light has no steps where one takes over. In the dark more is allowed, as
 //! eyes and pictures do. Nodes are shared by all places, whatever shows them: pixels, their samples,
 //! texels. Their number grows with the detail of the light, not with that of the places.
@@ -51,9 +52,13 @@ struct Fineness {
 /// Fineness by cells. Chosen: nodes take some microseconds and do not err.
 const BY_CELLS: Fineness = Fineness { rough: 4e-3, finest: 1.0 };
 
-/// Fineness by rays. Measured in an office: with r = 4e-3, 1e-2 and 2e-2 pictures erred by 0.30, 0.32 and 0.48 % (L2)
-/// with 4649, 3410 and 2542 nodes; with 1.5 and 2.5 times the distance of pixels by 0.41 and 0.43 % after 8 and 5 s.
-const BY_RAYS: Fineness = Fineness { rough: 1e-2, finest: 2.5 };
+/// Fineness by rays. Measured in an office of 200 × 150 pixels, each with one sample: with r = 5e-3, 1e-2 and 2e-2
+/// pictures erred by 0.9, 1.2 and 2.2 % (L2), most at edges, with 4768, 4124 and 3041 nodes and 1700, 1000 and 100
+/// places that were gathered alone; up to 2.5 times the distance of pixels with 1.2 %, 5881 and 400.
+const BY_RAYS: Fineness = Fineness { rough: 5e-3, finest: 5.0 };
+
+/// Trust in the fit of the finest lattice from which on it is taken. Chosen: less leaves more than is allowed.
+const TRUSTED: f64 = 0.5;
 
 /// Distance of nodes over that of shown places up to which twice the residual is allowed: such places are small.
 /// Chosen.
@@ -229,16 +234,11 @@ impl<'a> LightField<'a> {
         let trust = |found: &FitResult| self.trust(found, apart <= SMALL, asked.beside);
         let trust = found.as_ref().filter(|_| is_enclosed).map_or(0.0, trust);
         match found {
-            Some(found) if trust > 0.0 => {
+            Some(found) if trust >= TRUSTED || (trust > 0.0 && !is_last) => {
                 let bands = found.value.iter().map(|value| value.max(0.0)).collect();
                 Some(FittedLight { bands, trust: if is_last { 1.0 } else { trust } })
             }
-            found if is_last => {
-                let found = found.filter(|found| found.amplified <= AMPLIFIED);
-                let value = found.map(|found| fit.within(found.value)).or_else(|| fit.blend());
-                let bands = value.unwrap_or_else(|| self.gathered(&asked.seen).bands);
-                Some(FittedLight { bands, trust: 1.0 })
-            }
+            _ if is_last => Some(FittedLight { bands: self.gathered(&asked.seen).bands, trust: 1.0 }),
             _ => None,
         }
     }

@@ -81,20 +81,6 @@ impl<'a> Fit<'a> {
         found
     }
 
-    /// The mean of all values by their weights over the squares of their distances: that of a value at the place
-    /// itself, if there is one. None of none.
-    pub(crate) fn blend(&self) -> Option<Vec<f64>> {
-        let first = self.values.first()?;
-        let weight = |value: &FitValue| {
-            value.weight / (value.at[0].powi(2) + value.at[1].powi(2)).max(f64::MIN_POSITIVE)
-        };
-        let all: f64 = self.values.iter().map(weight).sum();
-        let mean = |band: usize| {
-            self.values.iter().map(|value| weight(value) / all * value.bands[band]).sum::<f64>()
-        };
-        Some((0..first.bands.len()).map(mean).collect())
-    }
-
     /// The fit; None of too few values, or of values on a line.
     pub(crate) fn found(&self) -> Option<FitResult> {
         let wanted = match self.values.len() {
@@ -260,13 +246,11 @@ mod tests {
     #[test]
     fn places_on_a_line_or_too_few_are_refused() {
         let mut fit = Fit::new();
-        assert!(fit.blend().is_none());
         for k in 0..9 {
             assert!(fit.found().is_none());
             fit.take([f64::from(k), 2.0 * f64::from(k)], 1.0, &[1.0], 0.0);
         }
         assert!(fit.found().is_none());
-        assert_eq!(fit.blend(), Some(vec![1.0]));
         assert_eq!(fit.within(vec![1.2]), vec![1.0]);
     }
 }
