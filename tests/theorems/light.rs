@@ -5,6 +5,7 @@ mod by_rays;
 mod chosen_masks;
 mod penumbrae;
 mod panes;
+mod partitions;
 mod pictures;
 mod closure;
 mod cornell;
