@@ -24,7 +24,7 @@ pub fn seconds_to_read(solved: &Solved, settings: &ReadSettings, points: f64) ->
             let (solution, visibility) = (&solved.outcome.solution, solved.visibility());
             let twice = settings.read == ReadMode::GatherTwice;
             let in_gaps = settings.by.seconds_in_gaps(solution, visibility, settings.eps, points);
-            let usual = settings.by.seconds(solution, visibility, settings.eps, points, SOME_POINTS, twice);
+            let usual = settings.by.seconds_of_readings(solution, visibility, settings.eps, points, twice);
             SHARED * usual + in_gaps
         }
     }
