@@ -132,7 +132,7 @@ fn covered(feet: &[Foot]) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use radiosity_language::Source;
+    use radiosity_scene::Source;
 
     use super::*;
 

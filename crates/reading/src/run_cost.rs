@@ -5,7 +5,6 @@
 //! ¼ seconds to gather the light of all .
 //! ```
 
-use radiosity_solve::gather::gather_method::SOME_POINTS;
 use radiosity_solve::solved::Solved;
 
 use crate::quality::ReadSettings;

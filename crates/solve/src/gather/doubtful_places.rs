@@ -42,8 +42,8 @@ const DOUBTFUL: f64 = 0.02;
 const UNSURE: f64 = 0.0075;
 
 /// Order from which on polynomials miss less than they have in the highest degree, and the part of that which they
-/// miss. Measured on 80 points of the floor of the Cornell box, of which half were doubtful by all of it and none erred
-/// by less when it was read anew.
+/// miss. Measured on the floor of the Cornell box: with all, two thirds and half of it nine of ten readings were within
+/// .75, .75 and 1.65 %, after 1.9, .8 and .5 ms each.
 const FINE: usize = 3;
 const OF_FINE: f64 = 2.0 / 3.0;
 
