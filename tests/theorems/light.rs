@@ -5,7 +5,6 @@ mod by_rays;
 mod chosen_masks;
 mod penumbrae;
 mod panes;
-mod partitions;
 mod pictures;
 mod closure;
 mod cornell;
