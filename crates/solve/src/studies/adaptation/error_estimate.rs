@@ -380,7 +380,8 @@ mod tests {
         let scene = radiosity_language::builtin("cornell-box").expect("it is built in");
         let options = Options { order: 1, ..Options::default() };
         let run = Solved::new(scene, options, &Work::alone()).expect("a solution");
-        let mut sensors = Sensor::of(&Goal::new(1e-2, Aim::Gathered), &run.outcome.solution, run.visibility());
+        let mut sensors =
+            Sensor::of(&Goal::new(1e-2, Aim::Gathered), &run.outcome.solution, run.visibility());
         // Of few sensors each has walks enough for all rounds.
         sensors.truncate(8);
         let (whole, all) = estimated(&run, &sensors, None);
