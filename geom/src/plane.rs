@@ -13,6 +13,7 @@ pub struct Plane {
 
 impl Plane {
     /// Signed distance of a point from the plane, positive before its front.
+    #[inline]
     pub fn height(&self, x: DVec3) -> f64 {
         (x - self.point).dot(self.normal)
     }

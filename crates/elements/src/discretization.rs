@@ -30,15 +30,16 @@ impl Discretization {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Subdivide {
-    /// 2 × 2 where `occluded` and the surface is longer than half the scene, 1 otherwise.
+    /// 2 × 2 where `occluded` and the surface is longer than half the scene, 1 otherwise; cut along what divides its
+    /// light too, in place of the middle where that is near.
     Auto {
         /// Whether anything in the scene can cast a shadow.
         occluded: bool,
     },
     /// This number along u and along v of every surface.
     Uniform(usize),
-    /// By the area of the surface (`resolution`), as fine as so many rays from all of them support; limits
-    /// the order as well.
+    /// By the area of the surface (`resolution`), as fine as so many rays from all of them support, and along what
+    /// divides its light; limits the order as well.
     Graded {
         /// Rays from all surfaces together, spread by area.
         rays: u64,

@@ -9,8 +9,8 @@
 //! In order: [`cells`] and [`columns`] (cuts of the square, columns of tables), [`patch`] and [`frame`]
 //! (charts and coordinates), `recurrence`, [`rule`], [`space`], `products` and `spectrum` (polynomials and
 //! their rules), [`measure`] and [`basis`] (orthonormal by area), [`parameters`], `element`, [`coating`] (how
-//! elements reflect, transmit and emit), [`mesh`] (cells of all surfaces), `discretization` and `resolution`
-//! (how a scene is cut), [`sampling`] (sequences of points), and [`Elements`], the noun of the crate.
+//! elements reflect, transmit and emit), [`mesh`] (cells of all surfaces), `discretization`, `dividers` and
+//! `resolution` (how a scene is cut), [`sampling`] (sequences of points), and [`Elements`], the noun of the crate.
 //!
 //! Imports `core`, `geom`, `work`, `scene` and `visibility`.
 
@@ -31,6 +31,7 @@ mod element;
 pub mod coating;
 pub mod mesh;
 mod discretization;
+mod dividers;
 mod resolution;
 pub mod sampling;
 
@@ -108,10 +109,12 @@ impl Elements {
     /// # Errors
     /// As for [`Elements::new`].
     pub fn moved(&self, scene: &Scene) -> Result<Self, ElementError> {
+        let Cells { mesh, .. } = self.cells.clone();
+        let is_refined = mesh != usual_mesh(scene, &self.how);
         Self::cut(
             scene,
             &self.how,
-            self.cells.clone(),
+            Cells { mesh, is_refined },
             bare_shapes(scene),
             &CoveredParts::new(scene),
             Some(self),
@@ -382,8 +385,7 @@ pub fn cut_sizes(scene: &Scene, how: &Discretization) -> Vec<CutSize> {
     let resolution = Resolution::new(scene, how);
     let covered_parts = CoveredParts::new(scene);
     let size = |(index, surface): (usize, &SceneSurface)| {
-        let [along, across] =
-            resolution.parts(index, surface).map(|parts| (parts + 2 * how.layers.count) as u64);
+        let [along, across] = resolution.breaks(index, surface).map(|breaks| (breaks.len() - 1) as u64);
         let covered = covered_parts.of_surface(index).len() as u64;
         let functions = how.space.count(resolution.order(index, surface)) as u64;
         CutSize { elements: along * across + covered, functions }

@@ -6,16 +6,19 @@ use rayon::prelude::*;
 
 use super::cells::breaks;
 use super::discretization::{Discretization, Subdivide};
+use super::dividers::{Dividers, divided};
 use super::mesh::{Mesh, Tree};
 
 /// Order and cuts of each surface of a scene.
 #[derive(Debug)]
-pub(super) struct Resolution {
+pub(super) struct Resolution<'a> {
     how: Discretization,
     /// Largest side of the bounding box of the scene (scene length).
     extent: f64,
     /// Share of each surface in the area of all; empty where it does not matter.
     shares: Vec<f64>,
+    /// What parts the light of surfaces; None where a number of elements is asked for.
+    dividers: Option<Dividers<'a>>,
 }
 
 /// A surface that sends at least so many rays carries polynomials of at most `order` on `parts` × `parts`
@@ -37,8 +40,8 @@ const GRADES: [Grade; 6] = [
     Grade { rays: 120.0, order: 1, parts: 1 },
 ];
 
-impl Resolution {
-    pub(super) fn new(scene: &Scene, how: &Discretization) -> Self {
+impl<'a> Resolution<'a> {
+    pub(super) fn new(scene: &'a Scene, how: &Discretization) -> Self {
         let bounds = scene
             .surfaces
             .iter()
@@ -48,7 +51,11 @@ impl Resolution {
             Subdivide::Graded { .. } => shares(scene),
             Subdivide::Auto { .. } | Subdivide::Uniform(_) => Vec::new(),
         };
-        Self { how: *how, extent, shares }
+        let dividers = match how.subdivide {
+            Subdivide::Auto { occluded: false } | Subdivide::Uniform(_) => None,
+            Subdivide::Auto { occluded: true } | Subdivide::Graded { .. } => Some(Dividers::of(scene)),
+        };
+        Self { how: *how, extent, shares, dividers }
     }
 
     /// Order of the polynomials on the `index`-th surface.
@@ -61,7 +68,7 @@ impl Resolution {
         })
     }
 
-    /// Elements of the `index`-th surface along u and v, layers apart.
+    /// Elements of the `index`-th surface along u and v, layers and dividers apart.
     pub(super) fn parts(&self, index: usize, surface: &SceneSurface) -> [usize; 2] {
         surface.subdivide.unwrap_or_else(|| {
             let parts = match self.how.subdivide {
@@ -78,6 +85,19 @@ impl Resolution {
         })
     }
 
+    /// Ends of the cells of the `index`-th surface along u and v.
+    pub(super) fn breaks(&self, index: usize, surface: &SceneSurface) -> [Vec<f64>; 2] {
+        let parts = self.parts(index, surface);
+        let uniform = parts.map(|parts| breaks(parts, self.how.layers));
+        match &self.dividers {
+            Some(dividers) if surface.subdivide.is_none() => {
+                let [[along_u, along_v], lines] = [uniform, dividers.lines(index)];
+                [divided(along_u, parts[0], &lines[0]), divided(along_v, parts[1], &lines[1])]
+            }
+            _ => uniform,
+        }
+    }
+
     fn grade(&self, index: usize, rays: u64) -> Option<&'static Grade> {
         let own = rays as f64 * self.shares[index];
         GRADES.iter().find(|grade| own >= grade.rays)
@@ -88,13 +108,12 @@ impl Resolution {
 pub fn usual_mesh(scene: &Scene, how: &Discretization) -> Mesh {
     let resolution = Resolution::new(scene, how);
     let tree = |(index, surface): (usize, &SceneSurface)| {
-        let breaks = resolution.parts(index, surface).map(|parts| breaks(parts, how.layers));
-        Tree::grid(&breaks, resolution.order(index, surface))
+        Tree::grid(&resolution.breaks(index, surface), resolution.order(index, surface))
     };
     Mesh::new(scene.surfaces.iter().enumerate().map(tree).collect())
 }
 
-/// Elements along u and v of each surface that is cut as `how` says, layers apart.
+/// Elements along u and v of each surface that is cut as `how` says, layers and dividers apart.
 pub fn cuts(scene: &Scene, how: &Discretization) -> Vec<[usize; 2]> {
     let resolution = Resolution::new(scene, how);
     scene.surfaces.iter().enumerate().map(|(index, surface)| resolution.parts(index, surface)).collect()

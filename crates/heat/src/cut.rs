@@ -81,16 +81,15 @@ impl Cut {
     }
 }
 
-/// The scene with the surfaces `chosen` in quarters of the elements that they have, and all others in these.
+/// The scene with the surfaces `chosen` in about quarters of the elements that they have, and all others in these.
 fn refined(scene: &Scene, elements: &Elements, chosen: &[usize]) -> Scene {
     let mut refined = scene.clone();
-    for (own, parts) in refined.surfaces.iter_mut().zip(cuts(scene, elements.discretization())) {
+    for own in &mut refined.surfaces {
         own.order = own.order.map(|order| order.max(LEAST_ORDER));
-        own.subdivide = Some(parts);
     }
+    let parts = cuts(scene, elements.discretization());
     for surface in chosen {
-        let parts = &mut refined.surfaces[*surface].subdivide;
-        *parts = parts.map(|parts| parts.map(|along| 2 * along));
+        refined.surfaces[*surface].subdivide = Some(parts[*surface].map(|along| 2 * along));
     }
     refined
 }

@@ -82,7 +82,8 @@ impl Lamps {
 
     /// Whether an emitter that may send light to a point is within so many of its radii.
     pub fn is_near(&self, receiver: &ReceiverPoint, radii: f64) -> bool {
-        let near = |lamp: &Lamp| lamp.distance(receiver.position) < radii * lamp.radius;
+        let near =
+            |lamp: &Lamp| lamp.center.distance_squared(receiver.position) < (radii * lamp.radius).powi(2);
         self.list.iter().any(|lamp| near(lamp) && lamp.bound(receiver) > 0.0)
     }
 
@@ -157,17 +158,19 @@ impl Lamp {
 
     /// About the light that it sends to a point without shadows; 0 only where it sends none.
     pub(crate) fn bound(&self, receiver: &ReceiverPoint) -> f64 {
+        let height = self.plane.map(|plane| plane.height(receiver.position));
         let step = self.center - receiver.position;
+        let is_above = |normal: DVec3| step.dot(normal) + self.radius > 0.0;
+        let may_send = height.is_none_or(|height| height > 0.0)
+            && is_above(receiver.normal)
+            && receiver.ground.is_none_or(is_above);
+        if !may_send {
+            return 0.0;
+        }
         let distance = step.length();
         let above = |normal: DVec3| (step.dot(normal) + self.radius) / (distance + self.radius);
         let cosine = above(receiver.normal).min(receiver.ground.map_or(1.0, above));
-        let own = self.plane.map_or(1.0, |plane| {
-            let height = plane.height(receiver.position);
-            if height > 0.0 { (height / distance.max(height)).max(f64::EPSILON) } else { 0.0 }
-        });
-        if cosine <= 0.0 || own <= 0.0 {
-            return 0.0;
-        }
+        let own = height.map_or(1.0, |height| (height / distance.max(height)).max(f64::EPSILON));
         self.brightness * (self.area * cosine * own / (PI * distance * distance)).min(1.0)
     }
 }

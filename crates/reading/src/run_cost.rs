@@ -5,7 +5,6 @@
 //! ¼ seconds to gather the light of all .
 //! ```
 
-use radiosity_solve::gather::gather_method::SOME_POINTS;
 use radiosity_solve::solved::Solved;
 
 use crate::quality::ReadSettings;
@@ -24,7 +23,7 @@ pub fn seconds_to_read(solved: &Solved, settings: &ReadSettings, points: f64) ->
             let (solution, visibility) = (&solved.outcome.solution, solved.visibility());
             let twice = settings.read == ReadMode::GatherTwice;
             let in_gaps = settings.by.seconds_in_gaps(solution, visibility, settings.eps, points);
-            let usual = settings.by.seconds(solution, visibility, settings.eps, points, SOME_POINTS, twice);
+            let usual = settings.by.seconds_of_readings(solution, visibility, settings.eps, points, twice);
             SHARED * usual + in_gaps
         }
     }

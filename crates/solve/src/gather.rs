@@ -121,14 +121,6 @@ impl<'a> Gather<'a> {
         direct.iter().zip(indirect).map(|(d, s)| d + s).collect()
     }
 
-    /// Irradiance (W m⁻²) per band at a single point: direct light, and reflected light.
-    pub(crate) fn parts(&self, receiver: &ReceiverPoint) -> [Vec<f64>; 2] {
-        let around = self.around(&receiver.site());
-        let direct = self.direct.irradiance(receiver, &around.direct);
-        let indirect = self.reflection.irradiance(receiver, &around.indirect, &direct);
-        [direct, indirect]
-    }
-
     /// Irradiance (W m⁻²) per band at a single point.
     pub fn at(&self, receiver: &ReceiverPoint) -> Vec<f64> {
         self.irradiance(receiver, &self.around(&receiver.site()))

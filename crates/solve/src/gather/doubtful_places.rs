@@ -6,7 +6,7 @@
 //!
 //! What rays meet or cells are made of has the polynomials of reflected light. A point is *doubtful*, with its light E,
 //! the mean irradiance Ē of all surfaces, and b the root mean square of the part of the highest degree of the radiosity
-//! that an element reflects,
+//! that an element reflects, two thirds of it from the third degree on,
 //!
 //! ```text
 //! ∫ κ(x, y) V(x, y) b(y) dA_y  >  min( DOUBTFUL E(x) , UNSURE max(E(x), Ē) )
@@ -20,13 +20,14 @@
 
 use std::sync::Arc;
 
+use radiosity_elements::Element;
 use radiosity_elements::sampling::kronecker;
 use radiosity_elements::sampling::lambert::lambert;
 use radiosity_elements::sampling::shift::{number_of, shift, shifted};
 use radiosity_light::receiver_point::ReceiverPoint;
 
 use crate::gather::bends::{Part, SentLight, bends};
-use crate::gather::met_light::MetLight;
+use crate::gather::met_light::{EndLight, MetLight};
 use crate::gather::narrow_gaps::NarrowGaps;
 use crate::gather::ray_gather::{Beyond, RayGather};
 use crate::gather::read_irradiance::{Deviation, ReadIrradiance};
@@ -39,6 +40,12 @@ use crate::gather::trusted_light::is_seen_large;
 /// had one of these doubts, and 135 readings in all.
 const DOUBTFUL: f64 = 0.02;
 const UNSURE: f64 = 0.0075;
+
+/// Order from which on polynomials miss less than they have in the highest degree, and the part of that which they
+/// miss. Measured on the floor of the Cornell box: with all, two thirds and half of it nine of ten readings were within
+/// .75, .75 and 1.65 %, after 1.9, .8 and .5 ms each.
+const FINE: usize = 3;
+const OF_FINE: f64 = 2.0 / 3.0;
 
 /// Light over the mean of all surfaces below which a patch lies in shadow, and to which errors are relative where less
 /// arrives at what is read anew. Measured on these rooms: errors were largest in darker places.
@@ -59,6 +66,7 @@ const NOTHING: f64 = 0.01;
 
 /// Rays that find what a point sees near it. Chosen: they take a twentieth of the time of the point.
 const LOOKS: u64 = 32;
+const ONE_LOOK: f64 = 1.0 / LOOKS as f64;
 
 /// Finest accuracy that is asked of walks in gaps, relative to the light of the whole scene where less arrives.
 /// Chosen: a point takes a second at the most. What is left of error is told with each.
@@ -77,17 +85,29 @@ pub(super) struct DoubtfulPlaces<'a> {
     walks: RayGather<'a>,
     /// Reflected light of what is read anew, and where there are many receivers in gaps.
     shadows: RayGather<'a>,
-    /// Part of the reflected light of each element in its polynomials of the highest degree, over the usual light.
+    /// Part of the reflected light of each element that its polynomials may miss, over the usual light.
     bends: Vec<f64>,
     /// Part of it that varies over the element.
     varying: Vec<f64>,
+}
+
+/// Findings of a few rays from a point.
+struct Looks {
+    /// Error that the polynomials of large elements about the point may make there, over the usual light.
+    doubt: f64,
+    /// About the light that it receives from what reflects (W m⁻² per band).
+    reflected: Vec<f64>,
 }
 
 impl<'a> DoubtfulPlaces<'a> {
     /// The places where the polynomials of this `light`, read to about the relative accuracy `eps`, say too little.
     pub(super) fn of(light: Arc<MetLight<'a>>, gaps: NarrowGaps<'a>, eps: f64) -> Self {
         let of_part = |part| bends(light.solution, &light.usual, SentLight::Again, part);
-        let [bends, varying] = [Part::Highest, Part::Varying].map(of_part);
+        let [highest, varying] = [Part::Highest, Part::Varying].map(of_part);
+        let list = light.solution.elements().list();
+        let missed =
+            |(bend, own): (f64, &Element)| if own.basis.order() < FINE { bend } else { OF_FINE * bend };
+        let bends = highest.into_iter().zip(list).map(missed).collect();
         let lit = light.usual.iter().map(|usual| SHADOWED * usual).collect();
         let gather = |finest: f64, beyond| RayGather::of(Arc::clone(&light), eps.max(finest), beyond);
         let shadows = gather(ANEW, Beyond::Trusted).with_dark(lit);
@@ -111,47 +131,62 @@ impl<'a> DoubtfulPlaces<'a> {
         self.gaps.about(receiver).map(|own| self.shadows.reflected_in_gap(receiver, own, lit))
     }
 
-    /// The light of a doubtful point or patch, where so much is `lit` by emitters and so much `reflected` light was
-    /// found (W m⁻² per band); None elsewhere.
-    pub(super) fn anew(&self, origin: &Receiver, lit: &[f64], reflected: &[f64]) -> Option<ReadIrradiance> {
-        let beside = |light: &[f64]| -> f64 {
-            let parts = light.iter().zip(&self.light.usual);
-            parts.map(|(light, usual)| light / usual.max(f64::MIN_POSITIVE)).sum::<f64>() / light.len() as f64
-        };
-        let (lit_part, reflected_part) = (beside(lit), beside(reflected));
-        let all = lit_part + reflected_part;
+    /// The light of a doubtful point, where so much is `lit` by emitters (W m⁻² per band); None elsewhere.
+    pub(super) fn point_anew(&self, receiver: &ReceiverPoint, lit: &[f64]) -> Option<ReadIrradiance> {
         if !self.light.rays.visibility.has_obstacles() {
             return None;
         }
-        let is_doubtful = match origin {
-            Receiver::Point(receiver) => {
-                self.doubt(receiver, &self.varying) > f64::min(DOUBTFUL * all, UNSURE * all.max(1.0))
-            }
-            Receiver::Patch(..) => {
-                let is_near_unknown =
-                    || self.doubt(&origin.middle(), &self.bends) > DOUBTFUL_OVER_PATCH * all + NOTHING;
-                let is_in_gap = || all > NOTHING && self.gaps.hold(&origin.middle());
-                all < SHADOWED && (is_near_unknown() || is_in_gap())
-            }
-        };
-        is_doubtful.then(|| known_beside(self.shadows.reflected_alone(origin, lit).with(lit)))
+        let looks = self.looks(receiver, &self.varying);
+        let all = self.beside_usual(lit) + self.beside_usual(&looks.reflected);
+        let least = f64::min(DOUBTFUL * all, UNSURE * all.max(1.0));
+        (looks.doubt > least).then(|| self.read_anew(&Receiver::Point(*receiver), lit))
     }
 
-    /// Error that the polynomials of large elements about a point may make there, over the usual light: by the bends of
-    /// the elements, or by what is `beside` its surface, of those that this divides.
-    fn doubt(&self, receiver: &ReceiverPoint, beside: &[f64]) -> f64 {
+    /// The light of a doubtful patch, where so much is `lit` by emitters and so much `reflected` light was found (W m⁻²
+    /// per band); None elsewhere.
+    pub(super) fn patch_anew(
+        &self,
+        origin: &Receiver,
+        lit: &[f64],
+        reflected: &[f64],
+    ) -> Option<ReadIrradiance> {
+        let all = self.beside_usual(lit) + self.beside_usual(reflected);
+        if all >= SHADOWED || !self.light.rays.visibility.has_obstacles() {
+            return None;
+        }
+        let middle = origin.middle();
+        let is_near_unknown = || self.looks(&middle, &self.bends).doubt > DOUBTFUL_OVER_PATCH * all + NOTHING;
+        let is_doubtful = is_near_unknown() || (all > NOTHING && self.gaps.hold(&middle));
+        is_doubtful.then(|| self.read_anew(origin, lit))
+    }
+
+    /// All light of a receiver, where so much is `lit` by emitters, with reflected light by walks.
+    fn read_anew(&self, origin: &Receiver, lit: &[f64]) -> ReadIrradiance {
+        known_beside(self.shadows.reflected_alone(origin, lit).with(lit))
+    }
+
+    /// Light per band over the usual light, in the mean.
+    fn beside_usual(&self, light: &[f64]) -> f64 {
+        let parts = light.iter().zip(&self.light.usual);
+        parts.map(|(light, usual)| light / usual.max(f64::MIN_POSITIVE)).sum::<f64>() / light.len() as f64
+    }
+
+    /// A few rays from a point; doubt by what is `beside` its surface counts, of the elements that this divides.
+    fn looks(&self, receiver: &ReceiverPoint, beside: &[f64]) -> Looks {
         let rays = &self.light.rays;
         let [position, normal] = [receiver.position, receiver.normal].map(|vector| vector.to_array());
         let offset: [f64; 2] = shift(number_of(position.into_iter().chain(normal)));
-        let of_ray = |index: u64| {
+        let mut looks = Looks { doubt: 0.0, reflected: vec![0.0; self.light.usual.len()] };
+        for index in 0..LOOKS {
             let direction = lambert(receiver.normal, shifted(kronecker::point(index), &offset));
-            let met = rays.met(receiver, direction).filter(|met| is_seen_large(rays, met));
-            met.map_or(0.0, |met| match self.is_divided(receiver, &met) {
-                true => self.bends[met.element].max(beside[met.element]),
-                false => self.bends[met.element],
-            })
-        };
-        (0..LOOKS).map(of_ray).sum::<f64>() / LOOKS as f64
+            let Some(met) = rays.met(receiver, direction) else { continue };
+            self.light.add_reflected_by(&met, EndLight::Polynomials, ONE_LOOK, &mut looks.reflected);
+            if is_seen_large(rays, &met) {
+                let divided = if self.is_divided(receiver, &met) { beside[met.element] } else { 0.0 };
+                looks.doubt += ONE_LOOK * self.bends[met.element].max(divided);
+            }
+        }
+        looks
     }
 
     /// Whether the surface that a point lies on divides an element that a ray from there met, near where it met it.

@@ -91,35 +91,40 @@ impl<'a> Gathering<'a> {
 
     /// All light of a point.
     pub fn read(&self, receiver: &ReceiverPoint) -> ReadIrradiance {
-        let origin = Receiver::Point(*receiver);
         let in_gap = self.doubtful.as_ref().and_then(|places| places.in_gap(receiver));
         in_gap.unwrap_or_else(|| match &self.by {
             GatheredBy::Cells(gather) => {
-                let [lit, reflected] = gather.parts(receiver);
-                self.settled(&origin, &lit, &reflected)
+                let direct = gather.direct();
+                let lit = direct.irradiance(receiver, &direct.around(&receiver.site()));
+                self.beside(receiver, &lit, || by_cells(gather, receiver, &lit))
             }
             GatheredBy::Rays(gather) => match gather.direct_by_cells(receiver) {
                 Some(lit) => {
-                    let reflected = gather.reflected_alone(&origin, &lit);
-                    let anew = self.anew(&origin, &lit, &reflected.irradiance);
-                    anew.unwrap_or_else(|| reflected.with(&lit))
+                    let reflected = || gather.reflected_alone(&Receiver::Point(*receiver), &lit);
+                    self.beside(receiver, &lit, reflected)
                 }
-                None => gather.read(&origin),
+                None => gather.read(&Receiver::Point(*receiver)),
             },
         })
     }
 
-    /// All light of a receiver, read anew where its parts `lit` by emitters and `reflected` (W m⁻² per band) are
-    /// doubtful.
-    fn anew(&self, origin: &Receiver, lit: &[f64], reflected: &[f64]) -> Option<ReadIrradiance> {
-        self.doubtful.as_ref().and_then(|places| places.anew(origin, lit, reflected))
+    /// All light of a point, where so much is `lit` by emitters (W m⁻² per band) and so much `reflected`; read anew if
+    /// the point is doubtful.
+    fn beside(
+        &self,
+        receiver: &ReceiverPoint,
+        lit: &[f64],
+        reflected: impl FnOnce() -> ReadIrradiance,
+    ) -> ReadIrradiance {
+        let anew = self.doubtful.as_ref().and_then(|places| places.point_anew(receiver, lit));
+        anew.unwrap_or_else(|| reflected().with(lit))
     }
 
-    /// All light of a receiver of which cells found the parts `lit` by emitters and `reflected` (W m⁻² per
-    /// band): these, and where they are doubtful, what is read anew.
-    pub fn settled(&self, origin: &Receiver, lit: &[f64], reflected: &[f64]) -> ReadIrradiance {
-        self.anew(origin, lit, reflected)
-            .unwrap_or_else(|| lit.iter().zip(reflected).map(|(d, s)| d + s).collect::<Vec<f64>>().into())
+    /// All light of a patch of which cells found the parts `lit` by emitters and `reflected` (W m⁻² per band): these,
+    /// and where they are doubtful, what is read anew.
+    pub fn settled(&self, patch: &Receiver, lit: &[f64], reflected: &[f64]) -> ReadIrradiance {
+        let anew = self.doubtful.as_ref().and_then(|places| places.patch_anew(patch, lit, reflected));
+        anew.unwrap_or_else(|| ReadIrradiance::from(reflected.to_vec()).with(lit))
     }
 
     /// Whether a point lies in a narrow gap between surfaces, in which light is another one than around it.
@@ -131,10 +136,7 @@ impl<'a> Gathering<'a> {
     pub fn reflected(&self, receiver: &ReceiverPoint, lit: &[f64]) -> ReadIrradiance {
         let in_gap = self.doubtful.as_ref().and_then(|places| places.reflected_in_gap(receiver, lit));
         in_gap.unwrap_or_else(|| match &self.by {
-            GatheredBy::Cells(gather) => {
-                let around = gather.reflection().around(&receiver.site());
-                gather.reflection().irradiance(receiver, &around, lit).into()
-            }
+            GatheredBy::Cells(gather) => by_cells(gather, receiver, lit),
             GatheredBy::Rays(gather) => gather.reflected(receiver, lit),
         })
     }
@@ -150,7 +152,7 @@ impl GatherMethod {
         eps: f64,
         twice: bool,
     ) -> Gathering<'a> {
-        let by_cells = if eps > DRAFT { BY_CELLS } else { eps };
+        let by_cells = cells_of_readings(eps);
         self.gathering(solution, visibility, by_cells, eps / by_cells, SOME_POINTS, twice)
     }
 
@@ -233,15 +235,52 @@ impl GatherMethod {
         together: f64,
         twice: bool,
     ) -> f64 {
+        self.seconds_by(solution, visibility, [eps; 2], points, together, twice)
+    }
+
+    /// About the seconds of one core that so many [`readings`](Self::readings) outside of narrow gaps take to the
+    /// relative accuracy `eps`.
+    pub fn seconds_of_readings(
+        self,
+        solution: &Solution,
+        visibility: &Visibility,
+        eps: f64,
+        points: f64,
+        twice: bool,
+    ) -> f64 {
+        self.seconds_by(solution, visibility, [cells_of_readings(eps), eps], points, SOME_POINTS, twice)
+    }
+
+    /// Seconds of points, by cells to the first of these accuracies, or by rays to the second.
+    fn seconds_by(
+        self,
+        solution: &Solution,
+        visibility: &Visibility,
+        [by_cells, by_rays]: [f64; 2],
+        points: f64,
+        together: f64,
+        twice: bool,
+    ) -> f64 {
         if self == Self::Walks {
-            return points * WALK * usual_walks(eps);
+            return points * WALK * usual_walks(by_rays);
         }
-        if self.rays(solution, visibility, eps, eps, together, twice) {
-            return points * seconds_of_rays(solution, eps, twice);
+        if self.rays(solution, visibility, by_cells, by_rays, together, twice) {
+            return points * seconds_of_rays(solution, by_rays, twice);
         }
-        let cells = CellPrice::of(solution, visibility, eps, twice);
+        let cells = CellPrice::of(solution, visibility, by_cells, twice);
         cells.once + points * cells.point
     }
+}
+
+/// Accuracy to which cells gather readings of the relative accuracy `eps`.
+fn cells_of_readings(eps: f64) -> f64 {
+    if eps > DRAFT { BY_CELLS } else { eps }
+}
+
+/// The reflected light of a point by cells, beside the direct light `lit` (W m⁻² per band).
+fn by_cells(gather: &Gather, receiver: &ReceiverPoint, lit: &[f64]) -> ReadIrradiance {
+    let around = gather.reflection().around(&receiver.site());
+    gather.reflection().irradiance(receiver, &around, lit).into()
 }
 
 /// Seconds for a point by rays.
@@ -249,4 +288,25 @@ fn seconds_of_rays(solution: &Solution, eps: f64, twice: bool) -> f64 {
     let peaks = if solution.emitters().points.is_empty() { 1.0 } else { PEAKS };
     let each = if twice { 3.0 } else { 1.0 };
     each * peaks * RAY * usual_rays(eps)
+}
+
+#[cfg(test)]
+mod tests {
+    use radiosity_work::Work;
+
+    use super::*;
+    use crate::driver::{Options, solve};
+
+    /// A draft is read by cells to a finer accuracy than it asks for, and takes their time.
+    #[test]
+    fn a_draft_by_cells_takes_the_time_of_what_reads_it() {
+        let scene = radiosity_language::builtin("cornell-box").expect("it is built in");
+        let options = Options { order: 1, ..Options::default() };
+        let solution = solve(&scene, &options, &Work::alone()).expect("a solution").solution;
+        let visibility = options.visibility(&scene);
+        let seconds = |eps| GatherMethod::Cells.seconds_of_readings(&solution, &visibility, eps, 10.0, false);
+        let at = |eps| GatherMethod::Cells.seconds(&solution, &visibility, eps, 10.0, SOME_POINTS, false);
+        assert!(at(BY_CELLS) > 2.0 * at(5e-3));
+        assert_eq!([seconds(5e-3), seconds(1e-3)], [at(BY_CELLS), at(1e-3)]);
+    }
 }

@@ -349,3 +349,45 @@ impl SensorSums {
         shares
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use std::time::Instant;
+
+    use radiosity_work::{Deadline, Progress};
+
+    use super::*;
+    use crate::driver::Options;
+    use crate::goal::{Aim, Goal};
+
+    /// The error of gathered light in the Cornell box, and the part of the walks that were made of those that were
+    /// wanted first.
+    fn estimated(run: &Solved, sensors: &[Sensor], deadline: Option<&Deadline>) -> (ErrorEstimate, f64) {
+        let (made, wanted) = (AtomicUsize::new(0), AtomicUsize::new(usize::MAX));
+        let observer = |progress: Progress| {
+            if let Progress::Done { stage: Stage::Estimate, done, of } = progress {
+                made.fetch_max(done, Ordering::Relaxed);
+                wanted.fetch_min(of, Ordering::Relaxed);
+            }
+        };
+        let work = Work { deadline, ..Work::alone().observed_by(&observer) };
+        let found = error_estimate(run, sensors, 1e-2, &work);
+        (found, made.into_inner() as f64 / wanted.into_inner() as f64)
+    }
+
+    #[test]
+    fn an_estimate_whose_time_is_up_ends_after_its_first_walks() {
+        let scene = radiosity_language::builtin("cornell-box").expect("it is built in");
+        let options = Options { order: 1, ..Options::default() };
+        let run = Solved::new(scene, options, &Work::alone()).expect("a solution");
+        let mut sensors =
+            Sensor::of(&Goal::new(1e-2, Aim::Gathered), &run.outcome.solution, run.visibility());
+        // Of few sensors each has walks enough for all rounds.
+        sensors.truncate(8);
+        let (whole, all) = estimated(&run, &sensors, None);
+        let past = Deadline::at(Some(Instant::now()));
+        let (early, part) = estimated(&run, &sensors, Some(&past));
+        assert!(all >= 1.0 && part > 0.0 && part < 2.0 / ROUNDS as f64, "{all} {part}");
+        assert!(early.error.is_finite() && early.error > 0.0 && whole.error > 0.0, "{early:?}");
+    }
+}
