@@ -52,12 +52,19 @@ const ALIKE: f64 = 1e-4;
 /// A side of an outline: two points.
 pub(crate) type Side = [DVec3; 2];
 
+/// A quad of the silhouette mesh.
+#[derive(Debug)]
+struct LightQuad {
+    knots: [Knot; 4],
+    /// Of the edges that lie on the surface's border, the end that the two chords of the whole edge share.
+    apexes: [Option<DVec3>; 4],
+}
+
 /// A curved surface of even exitance.
 #[derive(Debug)]
 pub(crate) struct AreaLight<'a> {
     mesh: &'a SilhouetteMesh,
-    /// The quads of the silhouette mesh.
-    quads: Vec<[Knot; 4]>,
+    quads: Vec<LightQuad>,
     /// Indices, ascending, of the surfaces that close it (lids): they hide nothing of it.
     lids: Vec<usize>,
     /// Centre of the bounding ball.
@@ -74,12 +81,13 @@ impl<'a> AreaLight<'a> {
             return None;
         }
         let mesh = visibility.silhouette_mesh(surface);
-        let quads: Vec<[Knot; 4]> = mesh.quads().map(|quad| quad.knots).collect();
+        let quads: Vec<LightQuad> =
+            mesh.quads().map(|quad| LightQuad::new(mesh.shape(), quad.knots)).collect();
         let bounds = visibility.bounds_of(surface);
         let (center, radius) = (bounds.center(), 0.5 * bounds.diagonal());
         let is_lid = |other: &usize| {
             let height = |y: DVec3, x: &Knot| (y - x.position).dot(x.normal);
-            let is_behind = |y: DVec3| quads.iter().flatten().all(|x| height(y, x) <= LOOSE * radius);
+            let is_behind = |y: DVec3| knots(&quads).all(|x| height(y, x) <= LOOSE * radius);
             match visibility.pieces(*other) {
                 Some(pieces) => pieces.iter().flatten().all(|y| is_behind(*y)),
                 None => visibility
@@ -114,16 +122,20 @@ impl<'a> AreaLight<'a> {
     /// The sides of the outline seen from `eye`, in no order, all with the part that faces the eye on the
     /// same hand. Empty where no part of the surface faces the eye.
     pub(crate) fn outline(&self, eye: DVec3) -> Vec<Side> {
-        let mut sides = Vec::new();
-        for quad in &self.quads {
+        let mut sides = Vec::with_capacity(4 * self.quads.len());
+        for LightQuad { knots: quad, apexes } in &self.quads {
             let heights = quad.map(|knot| knot.normal.dot(knot.position - eye));
             let faces = heights.map(|g| g < 0.0);
             if faces == [false; 4] {
                 continue;
             }
             let edges = || (0..4).map(|k| (k, (k + 1) % 4));
-            for (k, next) in edges().filter(|(k, next)| is_border(&quad[*k], &quad[*next])) {
-                self.border(eye, [quad[k], quad[next]], [faces[k], faces[next]], &mut sides);
+            for (k, next) in edges() {
+                let Some(apex) = apexes[k] else { continue };
+                self.border(eye, [quad[k], quad[next]], apex, [faces[k], faces[next]], &mut sides);
+            }
+            if faces == [true; 4] {
+                continue;
             }
             let crossed = edges().filter(|(k, next)| faces[*k] != faces[*next]);
             let crossings: Vec<(Knot, bool)> =
@@ -140,11 +152,11 @@ impl<'a> AreaLight<'a> {
         sides
     }
 
-    /// Adds the part of an edge on the surface's border that faces the eye.
-    fn border(&self, eye: DVec3, [a, b]: [Knot; 2], faces: [bool; 2], sides: &mut Vec<Side>) {
+    /// Adds the part of an edge on the surface's border that faces the eye; `middle` is the apex of the whole edge.
+    fn border(&self, eye: DVec3, [a, b]: [Knot; 2], middle: DVec3, faces: [bool; 2], sides: &mut Vec<Side>) {
         let [start, end] = match faces {
             [false, false] => return,
-            [true, true] => [a, b],
+            [true, true] => return push_arc(a.position, middle, b.position, sides),
             [true, false] => [a, self.crossing(eye, a, b)],
             [false, true] => [self.crossing(eye, a, b), b],
         };
@@ -182,7 +194,7 @@ impl<'a> AreaLight<'a> {
     /// `sides` in its coordinates. It is perpendicular to the mean normal of the part that faces `eye`, or
     /// else to the view; one side runs along the outline's farthest point. None where the eye is too near.
     pub(crate) fn plane(&self, eye: DVec3, sides: &[Side]) -> Option<(ProjectionPlane, Vec<[[f64; 2]; 2]>)> {
-        let front = self.quads.iter().flatten().filter(|x| x.normal.dot(x.position - eye) < 0.0);
+        let front = knots(&self.quads).filter(|x| x.normal.dot(x.position - eye) < 0.0);
         let facing = -front.map(|x| x.normal).sum::<DVec3>().normalize_or_zero();
         let towards = (self.center - eye).normalize_or_zero();
         let mut inwards = [facing, towards].into_iter();
@@ -213,21 +225,37 @@ impl<'a> AreaLight<'a> {
     /// whole outline lies well in front of the eye.
     fn depth(&self, eye: DVec3, inward: DVec3, sides: &[Side]) -> Option<f64> {
         let depth = |y: DVec3| (y - eye).dot(inward);
-        let nearest =
-            self.quads.iter().flatten().map(|knot| depth(knot.position)).fold(f64::INFINITY, f64::min);
+        let nearest = knots(&self.quads).map(|knot| depth(knot.position)).fold(f64::INFINITY, f64::min);
         let is_ahead = |y: &DVec3| depth(*y) > STEEPEST * y.distance(eye);
         (nearest > 0.0 && sides.iter().flatten().all(is_ahead)).then_some(nearest)
     }
 }
 
+impl LightQuad {
+    fn new(shape: &dyn Surface, knots: [Knot; 4]) -> Self {
+        let apex = |k: usize| {
+            let edge = [knots[k], knots[(k + 1) % 4]];
+            is_border(&edge[0], &edge[1]).then(|| apex(shape, edge))
+        };
+        Self { knots, apexes: std::array::from_fn(apex) }
+    }
+}
+
+fn knots(quads: &[LightQuad]) -> impl Iterator<Item = &Knot> {
+    quads.iter().flat_map(|quad| &quad.knots)
+}
+
 /// Irradiance at `eye` with the unit normal `normal` from an outline of exitance 1 that lies above the
 /// horizon.
 pub(crate) fn irradiance(eye: DVec3, normal: DVec3, sides: &[Side]) -> f64 {
-    let seen = |side: &Side| {
-        let [u, v] = side.map(|y| (y - eye).normalize_or_zero());
-        lambert::side(normal, u, v)
-    };
-    let sum: f64 = sides.iter().map(seen).sum();
+    let towards = |y: DVec3| (y - eye).normalize_or_zero();
+    // Most sides start where the last one ends.
+    let (mut at, mut last, mut sum) = (eye, DVec3::ZERO, 0.0);
+    for [start, end] in sides {
+        let first = if *start == at { last } else { towards(*start) };
+        (at, last) = (*end, towards(*end));
+        sum += lambert::side(normal, first, last);
+    }
     sum.abs() / TAU
 }
 

@@ -190,11 +190,16 @@ impl<'a> LightSource<'a> {
                     return None;
                 }
                 let sides = light.outline(eye);
-                let corners: Vec<DVec3> = sides.iter().flatten().copied().collect();
-                if corners.is_empty() || receiver.is_above(&corners) {
-                    return Some(0.0);
+                if !receiver.clears(light.center, light.radius) {
+                    let corners: Vec<DVec3> = sides.iter().map(|side| side[0]).collect();
+                    if receiver.is_above(&corners) {
+                        return Some(0.0);
+                    }
+                    if !receiver.overlooks(&corners) {
+                        return None;
+                    }
                 }
-                receiver.overlooks(&corners).then(|| irradiance(eye, receiver.normal, &sides))
+                Some(irradiance(eye, receiver.normal, &sides))
             }
         }
     }
