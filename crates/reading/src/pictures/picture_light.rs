@@ -4,6 +4,7 @@ use radiosity_geom::DVec3;
 use radiosity_light::direct::DirectLight;
 use radiosity_light::occluders::Occluders;
 use radiosity_light::penumbra::{EmitterFactor, Penumbra, RayEffort, VisibleEmitters};
+use radiosity_light::tolerances::DARK;
 use radiosity_solve::gather::gather_method::{GatherMethod, GatheredBy, Gathering};
 use radiosity_solve::gather::read_irradiance::ReadIrradiance;
 use radiosity_solve::solution::Solution;
@@ -178,9 +179,19 @@ impl<'a> PictureLight<'a> {
         let Some(gathering) = &self.rest else {
             return ComputedLight { bands: self.polynomials(seen), error: 0.0 };
         };
-        let ReadIrradiance { irradiance, deviation } = gathering.reflected(&seen.receiver_point(), lit);
-        let all: f64 = irradiance.iter().chain(lit).sum();
+        let other = self.beside(seen, lit);
+        let ReadIrradiance { irradiance, deviation } = gathering.reflected(&seen.receiver_point(), &other);
+        let all: f64 = irradiance.iter().chain(&other).sum();
         ComputedLight { bands: irradiance, error: deviation.map_or(0.0, |own| own.relative * all) }
+    }
+
+    /// Light (W m⁻² per band) beside which the rest of the light of a place is to be accurate: the direct light `lit`,
+    /// and in the dark what makes all light E the mean √(E Ē) of this and that of the scene, as eyes and fits allow.
+    fn beside(&self, seen: &SeenPlace, lit: &[f64]) -> Vec<f64> {
+        let all: Vec<f64> = self.polynomials(seen).iter().zip(lit).map(|(rest, lit)| rest + lit).collect();
+        let size = all.iter().sum::<f64>().max(DARK * self.mean);
+        let more = ((self.mean / size).sqrt() - 1.0).max(0.0);
+        lit.iter().zip(all).map(|(lit, all)| lit + more * all).collect()
     }
 
     /// Irradiance per band (W m⁻²) by the polynomials: all of it, or the part that was reflected at least

@@ -4,7 +4,8 @@
 //! u_i = −1 + 2 i/(m 2^l) ,     v_j = −1 + 2 j/(n 2^l) ,     l = 0, 1, …
 //! ```
 //!
-//! with m × n cells of about one side at first. Nodes of a lattice are nodes of all finer ones. A node outside of
+//! with m × n cells of about one side at first; narrow ones are divided into two, and further when the others are as
+//! narrow. Nodes of a lattice are nodes of all finer ones. A node outside of
 //! the open part of a flat surface lies at the nearest point of its border.
 
 use radiosity_elements::Elements;
@@ -36,6 +37,8 @@ pub(super) struct Lattice {
     surface: usize,
     /// Cells of the first lattice along u and along v.
     cells: [usize; 2],
+    /// Halvings of longer cells after which those along u and along v are divided further than into two.
+    later: [u32; 2],
     /// Longest side of these (scene length).
     side: f64,
     /// The open part of a flat surface; None of a curved one.
@@ -53,8 +56,10 @@ impl Lattice {
         let open = shape.region().map(|_| OpenPart::of(elements, surface));
         let fewest = if open.is_some() { 1 } else { FEWEST_CURVED };
         let cells = lengths.map(|length| ((length / (FIRST * diagonal)).ceil() as usize).max(fewest));
-        let side = (0..2).map(|axis| lengths[axis] / cells[axis] as f64).fold(0.0, f64::max);
-        Self { surface, cells, side, open }
+        let sides: [f64; 2] = std::array::from_fn(|axis| lengths[axis] / cells[axis] as f64);
+        let side = sides[0].max(sides[1]);
+        let later = sides.map(|own| (side / own).log2().clamp(0.0, f64::from(Self::FINEST)) as u32);
+        Self { surface, cells, later, side, open }
     }
 
     /// Longest side of the cells of a level (scene length).
@@ -79,19 +84,32 @@ impl Lattice {
         level: u32,
         steps: [i64; 2],
     ) -> impl Iterator<Item = NodeIndex> + use<> {
-        let (surface, counts) = (self.surface, self.cells.map(|count| (count << level) as i64));
+        let halvings = self.halvings(level);
+        let surface = self.surface;
+        let counts: [i64; 2] = std::array::from_fn(|axis| (self.cells[axis] << halvings[axis]) as i64);
         let at = self.steps(parameters, level);
         let first: [i64; 2] = std::array::from_fn(|axis| (at[axis] as i64).clamp(0, counts[axis] - 1));
         let side = steps[0]..=steps[1];
         let all = side.clone().flat_map(move |j| side.clone().map(move |i| [first[0] + i, first[1] + j]));
         all.filter(move |at| (0..2).all(|axis| (0..=counts[axis]).contains(&at[axis]))).map(move |at| {
-            NodeIndex { surface, finest: at.map(|step| (step as u32) << (Self::FINEST - level)) }
+            NodeIndex {
+                surface,
+                finest: std::array::from_fn(|axis| (at[axis] as u32) << (Self::FINEST - halvings[axis])),
+            }
         })
+    }
+
+    /// Halvings of the first cells along u and along v in a level. Fits need three nodes along each.
+    fn halvings(&self, level: u32) -> [u32; 2] {
+        self.later.map(|later| level.saturating_sub(later).max(level.min(1)))
     }
 
     /// Parameters in steps of a lattice from its first node.
     fn steps(&self, parameters: [f64; 2], level: u32) -> [f64; 2] {
-        std::array::from_fn(|axis| 0.5 * (1.0 + parameters[axis]) * (self.cells[axis] << level) as f64)
+        let halvings = self.halvings(level);
+        std::array::from_fn(|axis| {
+            0.5 * (1.0 + parameters[axis]) * (self.cells[axis] << halvings[axis]) as f64
+        })
     }
 
     /// The weight (1 − (r/R)²)² of a node at some parameters in the fit at others, r in cells of a level.
