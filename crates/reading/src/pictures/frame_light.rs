@@ -86,7 +86,7 @@ fn asked(frame: &Frame, direct: &[Vec<f64>]) -> Vec<Option<AskedPlace>> {
     let one = |place: usize| {
         let seen = *frame.seen(place)?;
         let beside = direct[place].iter().sum();
-        Some(AskedPlace { seen, footprint: frame.footprint(place), beside })
+        Some(AskedPlace { seen, footprint: frame.footprint(place), beside, error_factor: 1.0 })
     };
     (0..frame.len()).map(one).collect()
 }

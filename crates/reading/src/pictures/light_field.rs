@@ -55,7 +55,7 @@ const BY_CELLS: Fineness = Fineness { rough: 4e-3, finest: 1.0 };
 /// Fineness by rays. Measured in an office of 200 × 150 pixels, each with one sample: with r = 5e-3, 1e-2 and 2e-2
 /// pictures erred by 0.9, 1.2 and 2.2 % (L2), most at edges, with 4768, 4124 and 3041 nodes and 1700, 1000 and 100
 /// places that were gathered alone; up to 2.5 times the distance of pixels with 1.2 %, 5881 and 400.
-const BY_RAYS: Fineness = Fineness { rough: 5e-3, finest: 5.0 };
+const BY_RAYS: Fineness = Fineness { rough: 7e-3, finest: 5.0 };
 
 /// Trust in the fit of the finest lattice from which on it is taken. Chosen: less leaves more than is allowed.
 const TRUSTED: f64 = 0.5;
@@ -79,6 +79,8 @@ pub(crate) struct AskedPlace {
     pub footprint: f64,
     /// Sum over the bands of other light there (W m⁻²).
     pub beside: f64,
+    /// Factor on the error of light that is gathered at the place itself.
+    pub error_factor: f64,
 }
 
 /// A place, by its index, whose light is not known yet but for the rest of this share.
@@ -171,7 +173,7 @@ impl<'a> LightField<'a> {
     fn each(&self, places: &[Option<AskedPlace>], some: &[usize], work: &Work<'_>) -> Vec<Option<ComputedLight>> {
         let count = PixelCount::new(some.len(), Stage::GatheredPixels, work);
         let one = |index: usize| {
-            let light = places[some[index]].as_ref().map(|asked| self.gathered(&asked.seen));
+            let light = places[some[index]].as_ref().map(|asked| self.gathered(&asked.seen, asked.error_factor));
             count.add();
             light
         };
@@ -210,11 +212,12 @@ impl<'a> LightField<'a> {
         if self.light.is_in_gap(&seen) {
             return None;
         }
-        Some(Node { seen, light: self.gathered(&seen) })
+        Some(Node { seen, light: self.gathered(&seen, 1.0) })
     }
 
-    fn gathered(&self, seen: &SeenPlace) -> ComputedLight {
-        self.light.rest(seen, &self.light.direct(seen, None, AT_NODES).bands)
+    /// The light of a place with `error_factor` times the usual error.
+    fn gathered(&self, seen: &SeenPlace, error_factor: f64) -> ComputedLight {
+        self.light.rest(seen, &self.light.direct(seen, None, AT_NODES).bands, error_factor)
     }
 
     fn lattice(&self, asked: &AskedPlace) -> &Lattice {
@@ -238,7 +241,10 @@ impl<'a> LightField<'a> {
                 let bands = found.value.iter().map(|value| value.max(0.0)).collect();
                 Some(FittedLight { bands, trust: if is_last { 1.0 } else { trust } })
             }
-            _ if is_last => Some(FittedLight { bands: self.gathered(&asked.seen).bands, trust: 1.0 }),
+            _ if is_last => {
+                let bands = self.gathered(&asked.seen, asked.error_factor).bands;
+                Some(FittedLight { bands, trust: 1.0 })
+            }
             _ => None,
         }
     }

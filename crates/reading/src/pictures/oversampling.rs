@@ -234,7 +234,9 @@ impl Shot<'_> {
     fn asked(&self, places: &[SamplePlace], direct: &[Vec<f64>]) -> Vec<Option<AskedPlace>> {
         let one = |(place, direct): (&SamplePlace, &Vec<f64>)| {
             let footprint = self.view.footprint(place.seen.place.position);
-            Some(AskedPlace { seen: place.seen, footprint, beside: direct.iter().sum() })
+            let beside = direct.iter().sum();
+            let error_factor = ONE_OF_SEVERAL.error_factor;
+            Some(AskedPlace { seen: place.seen, footprint, beside, error_factor })
         };
         places.iter().zip(direct).map(one).collect()
     }

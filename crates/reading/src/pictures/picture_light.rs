@@ -174,23 +174,24 @@ impl<'a> PictureLight<'a> {
         DirectIrradiance { bands, visible, error }
     }
 
-    /// The rest of the light beside the direct light `lit` (W m⁻² per band).
-    pub(crate) fn rest(&self, seen: &SeenPlace, lit: &[f64]) -> ComputedLight {
+    /// The rest of the light beside the direct light `lit` (W m⁻² per band), with `error_factor` times the usual error.
+    pub(crate) fn rest(&self, seen: &SeenPlace, lit: &[f64], error_factor: f64) -> ComputedLight {
         let Some(gathering) = &self.rest else {
             return ComputedLight { bands: self.polynomials(seen), error: 0.0 };
         };
-        let other = self.beside(seen, lit);
+        let other = self.beside(seen, lit, error_factor);
         let ReadIrradiance { irradiance, deviation } = gathering.reflected(&seen.receiver_point(), &other);
         let all: f64 = irradiance.iter().chain(&other).sum();
         ComputedLight { bands: irradiance, error: deviation.map_or(0.0, |own| own.relative * all) }
     }
 
     /// Light (W m⁻² per band) beside which the rest of the light of a place is to be accurate: the direct light `lit`,
-    /// and in the dark what makes all light E the mean √(E Ē) of this and that of the scene, as eyes and fits allow.
-    fn beside(&self, seen: &SeenPlace, lit: &[f64]) -> Vec<f64> {
+    /// and in the dark what makes all light E the mean √(E Ē) of this and that of the scene, as eyes and fits allow; so
+    /// much more where `error_factor` times the error is allowed.
+    fn beside(&self, seen: &SeenPlace, lit: &[f64], error_factor: f64) -> Vec<f64> {
         let all: Vec<f64> = self.polynomials(seen).iter().zip(lit).map(|(rest, lit)| rest + lit).collect();
         let size = all.iter().sum::<f64>().max(DARK * self.mean);
-        let more = ((self.mean / size).sqrt() - 1.0).max(0.0);
+        let more = error_factor * (self.mean / size).sqrt().max(1.0) - 1.0;
         lit.iter().zip(all).map(|(lit, all)| lit + more * all).collect()
     }
 

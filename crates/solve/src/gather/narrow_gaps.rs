@@ -20,17 +20,27 @@ const NARROW: f64 = 0.03;
 const NARROW_IN_SCENE: f64 = 0.01;
 
 /// The narrow gaps of a scene.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(super) struct NarrowGaps<'a> {
     solution: &'a Solution,
     visibility: &'a Visibility,
+    /// Diagonal of the scene's bounding box (scene length).
+    diagonal: f64,
+    /// Diagonals of the bounding boxes of its surfaces (scene length).
+    extents: Vec<f64>,
 }
 
 impl<'a> NarrowGaps<'a> {
     /// The gaps of a scene; None where rays meet nothing, or masks or the number of reflections tell what is read.
     pub(super) fn of(solution: &'a Solution, visibility: &'a Visibility) -> Option<Self> {
         let is_plain = visibility.casts() && solution.masked().is_none() && !solution.is_truncated();
-        is_plain.then_some(Self { solution, visibility })
+        let extent = |surface: usize| solution.elements().shape(surface).bounds(&Rect::FULL).diagonal();
+        is_plain.then(|| Self {
+            solution,
+            visibility,
+            diagonal: visibility.bounds().diagonal(),
+            extents: (0..solution.elements().surfaces()).map(extent).collect(),
+        })
     }
 
     /// The part of all surfaces that lies in gaps, judged at the middles of elements.
@@ -52,12 +62,10 @@ impl<'a> NarrowGaps<'a> {
     /// The surfaces of the narrow gap in which a point of one of them lies; under one that touches it is in none.
     pub(super) fn about(&self, receiver: &ReceiverPoint) -> Option<[usize; 2]> {
         let up = receiver.ground.unwrap_or(receiver.normal);
-        let extent = |surface: usize| self.solution.elements().shape(surface).bounds(&Rect::FULL).diagonal();
-        let diagonal = self.visibility.bounds().diagonal();
-        let heights = COINCIDENT * diagonal..=NARROW_IN_SCENE * diagonal;
+        let heights = COINCIDENT * self.diagonal..=NARROW_IN_SCENE * self.diagonal;
         let surface = receiver.surface?;
         let met = self.visibility.nearest_from(surface, receiver.position, up)?;
-        let narrow = || NARROW * extent(surface).min(extent(met.surface));
+        let narrow = || NARROW * self.extents[surface].min(self.extents[met.surface]);
         let is_near = met.surface != surface && heights.contains(&met.hit.t) && met.hit.t <= narrow();
         is_near.then_some([surface, met.surface])
     }

@@ -82,7 +82,7 @@ fn tried(light: &PictureLight, places: usize, seen: &(dyn Fn(usize) -> Option<Se
         trial.iter().zip(&direct).filter_map(|(seen, direct)| Some((seen.as_ref()?, direct))).collect();
     let chosen: Vec<_> = lit.iter().step_by((lit.len() / TRIAL_GATHERED).max(1)).collect();
     let start = Instant::now();
-    chosen.par_iter().for_each(|(seen, direct)| drop(light.rest(seen, direct)));
+    chosen.par_iter().for_each(|(seen, direct)| drop(light.rest(seen, direct, 1.0)));
     let gathered = start.elapsed().as_secs_f64() / chosen.len().max(1) as f64;
     direct_seconds + gathered * nodes(all * lit.len() as f64 / trial.len() as f64)
 }
