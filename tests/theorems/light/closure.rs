@@ -88,7 +88,7 @@ materials.shining = {{ reflectance = 0.5, emission = 1 }}
 [[surfaces]]
 name = "house"
 material = "grey"
-box = {{ origin = [0, 0, 0], size = [4, 2, 2], inward = true, open = ["west"] }}
+box = {{ origin = [0, 0, 0], size = [4, 2, 2], inward = true, open = ["left"] }}
 [[surfaces]]
 name = "end"
 material = "shining"
