@@ -1,7 +1,8 @@
 //! Cuts of the parameter square [−1, 1]² into cells.
 //!
-//! Each direction is cut into n equal parts. With layers the outermost parts are cut again, geometrically
-//! towards the sides of the square: with h = 2/n, or h = 1 for n = 1, the ends are
+//! Each direction is cut into n parts, which are equal unless something divides a surface (`dividers`). With layers the
+//! outermost parts are cut again, geometrically towards the sides of the square: with h the width of such a part, 1 at
+//! the most, the ends are
 //!
 //! ```text
 //! −1, −1 + h q^L, … , −1 + h q ,      and mirrored ,
@@ -37,15 +38,19 @@ impl Layers {
     }
 }
 
-/// Ends of the intervals of a cut of [−1, 1] into `parts` ≥ 1, with layers; ascending from −1 to 1.
-pub(crate) fn breaks(parts: usize, layers: Layers) -> Vec<f64> {
-    let uniform = |k: usize| -1.0 + 2.0 * k as f64 / parts as f64;
-    let width = 2.0 / parts.max(2) as f64;
-    let graded = (1..=layers.count).rev().map(|k| width * layers.ratio.powf(k as f64));
-    let graded: Vec<f64> = graded.collect();
-    let low = graded.iter().map(|distance| -1.0 + distance);
-    let high = graded.iter().rev().map(|distance| 1.0 - distance);
-    [-1.0].into_iter().chain(low).chain((1..parts).map(uniform)).chain(high).chain([1.0]).collect()
+/// Ends of `parts` ≥ 1 equal intervals of [−1, 1], ascending.
+pub(crate) fn equal_parts(parts: usize) -> Vec<f64> {
+    (0..=parts).map(|k| -1.0 + 2.0 * k as f64 / parts as f64).collect()
+}
+
+/// Ends of intervals of [−1, 1], ascending from −1 to 1, with layers in the outermost.
+pub(crate) fn with_layers(ends: &[f64], layers: Layers) -> Vec<f64> {
+    let inner = &ends[1..ends.len() - 1];
+    let outermost = [1.0 + ends[1], 1.0 - ends[ends.len() - 2]].map(|width| width.min(1.0));
+    let distances = |width: f64| (1..=layers.count).map(move |k| width * layers.ratio.powf(k as f64));
+    let low = distances(outermost[0]).rev().map(|distance| -1.0 + distance);
+    let high = distances(outermost[1]).map(|distance| 1.0 - distance);
+    [-1.0].into_iter().chain(low).chain(inner.iter().copied()).chain(high).chain([1.0]).collect()
 }
 
 /// The cells between the breaks along u and v, v running fastest.
@@ -57,7 +62,7 @@ pub(crate) fn cells_between([u, v]: &[Vec<f64>; 2]) -> impl Iterator<Item = Rect
 
 /// The cells of a uniform cut of [−1, 1]², v running fastest.
 pub fn cells_of(cells: [usize; 2]) -> impl Iterator<Item = Rect> {
-    cells_between(&cells.map(|parts| breaks(parts, Layers::NONE)))
+    cells_between(&cells.map(equal_parts))
 }
 
 #[cfg(test)]
@@ -69,7 +74,7 @@ mod tests {
     fn one_layer_of_an_uncut_direction() {
         // 0, .075, .925, 1 in [0, 1].
         let expected = [-1.0, -0.85, 0.85, 1.0];
-        let breaks = breaks(1, Layers { count: 1, ratio: 0.15 });
+        let breaks = with_layers(&equal_parts(1), Layers { count: 1, ratio: 0.15 });
         assert_eq!(breaks.len(), expected.len());
         assert!(breaks.iter().zip(expected).all(|(b, e)| (b - e).abs() < 1e-15), "{breaks:?}");
     }
@@ -77,7 +82,14 @@ mod tests {
     #[test]
     fn layers_cut_only_the_outermost_parts() {
         let expected = [-1.0, -0.875, -0.5, 0.0, 0.5, 0.875, 1.0];
-        assert_eq!(breaks(4, Layers { count: 1, ratio: 0.25 }), expected);
+        assert_eq!(with_layers(&equal_parts(4), Layers { count: 1, ratio: 0.25 }), expected);
+    }
+
+    #[test]
+    fn layers_at_both_sides_suit_the_parts_there() {
+        let expected = [-1.0, -0.75, 0.0, 0.75, 0.9375, 1.0];
+        assert_eq!(with_layers(&[-1.0, 0.0, 0.75, 1.0], Layers { count: 1, ratio: 0.25 }), expected);
+        assert_eq!(with_layers(&[-1.0, 1.0], Layers::NONE), [-1.0, 1.0]);
     }
 
     #[test]
@@ -94,7 +106,7 @@ mod tests {
         fn cells_cover_the_square(
             parts in prop::array::uniform2(1..5usize), count in 0..=5usize, ratio in 0.1..0.9,
         ) {
-            let breaks = parts.map(|parts| breaks(parts, Layers { count, ratio }));
+            let breaks = parts.map(|parts| with_layers(&equal_parts(parts), Layers { count, ratio }));
             for (breaks, parts) in breaks.iter().zip(parts) {
                 prop_assert_eq!(breaks.len() - 1, parts + 2 * count);
                 prop_assert!(breaks.windows(2).all(|w| w[0] < w[1]));

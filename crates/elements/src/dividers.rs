@@ -68,13 +68,12 @@ impl<'a> Dividers<'a> {
     }
 }
 
-/// The breaks of a uniform cut with these lines among them: breaks of the former that are nearer to a line than half of
-/// a part are left out, so that one line adds no part to two.
-pub(super) fn divided(breaks: Vec<f64>, parts: usize, lines: &[f64]) -> Vec<f64> {
-    let half = 0.5 * WIDTH / parts as f64;
-    let is_end = |at: f64| at.abs() >= 1.0;
-    let is_kept = |at: &f64| is_end(*at) || lines.iter().all(|line| (at - line).abs() >= half);
-    let mut all: Vec<f64> = breaks.into_iter().filter(is_kept).chain(lines.iter().copied()).collect();
+/// The ends of equal parts with these lines among them: ends that are nearer to a line than half of a part are left
+/// out, so that one line adds no part to two.
+pub(super) fn divided(ends: &[f64], lines: &[f64]) -> Vec<f64> {
+    let half = 0.5 * (ends[1] - ends[0]);
+    let is_kept = |end: &f64| end.abs() >= 1.0 || lines.iter().all(|line| (end - line).abs() >= half);
+    let mut all: Vec<f64> = ends.iter().copied().filter(is_kept).chain(lines.iter().copied()).collect();
     all.sort_by(f64::total_cmp);
     all
 }
@@ -174,9 +173,9 @@ mod tests {
 
     #[test]
     fn a_line_takes_the_place_of_the_break_beside_it() {
-        assert_eq!(divided(vec![-1.0, 0.0, 1.0], 2, &[0.25]), [-1.0, 0.25, 1.0]);
-        assert_eq!(divided(vec![-1.0, 0.0, 1.0], 2, &[0.75]), [-1.0, 0.0, 0.75, 1.0]);
-        assert_eq!(divided(vec![-1.0, 1.0], 1, &[-0.5]), [-1.0, -0.5, 1.0]);
-        assert_eq!(divided(vec![-1.0, -0.5, 0.0, 0.5, 1.0], 4, &[]), [-1.0, -0.5, 0.0, 0.5, 1.0]);
+        assert_eq!(divided(&[-1.0, 0.0, 1.0], &[0.25]), [-1.0, 0.25, 1.0]);
+        assert_eq!(divided(&[-1.0, 0.0, 1.0], &[0.75]), [-1.0, 0.0, 0.75, 1.0]);
+        assert_eq!(divided(&[-1.0, 1.0], &[-0.5]), [-1.0, -0.5, 1.0]);
+        assert_eq!(divided(&[-1.0, -0.5, 0.0, 0.5, 1.0], &[]), [-1.0, -0.5, 0.0, 0.5, 1.0]);
     }
 }

@@ -55,7 +55,7 @@ pub use fault::ElementError;
 use mesh::{CellRefinement, Mesh, Tree};
 use patch::Patch;
 use resolution::Resolution;
-pub use resolution::{cuts, shares, usual_mesh};
+pub use resolution::{shares, usual_mesh};
 use space::Space;
 
 /// All elements of a scene, surface by surface.
@@ -109,7 +109,7 @@ impl Elements {
     /// # Errors
     /// As for [`Elements::new`].
     pub fn moved(&self, scene: &Scene) -> Result<Self, ElementError> {
-        let Cells { mesh, .. } = self.cells.clone();
+        let mesh = self.cells.mesh.clone();
         let is_refined = mesh != usual_mesh(scene, &self.how);
         Self::cut(
             scene,
@@ -337,9 +337,10 @@ struct ElementMaker<'a> {
 impl ElementMaker<'_> {
     /// Appends the element of a part to the list; its index, or None where the part is empty.
     fn made(&mut self, part: Part, order: usize) -> Result<Option<usize>, ElementError> {
+        let is_whole = part.rect == Rect::FULL && self.covered_parts.is_empty();
         let found = match element(self.index, self.surface, part, self.space, order) {
-            // Beside covered parts the rest of a cell may be a sliver, for which a constant is enough.
-            Err(ElementError::Thin { .. }) if !self.covered_parts.is_empty() => {
+            // Beside a cut or a covered part the rest may be a sliver, for which a constant is enough.
+            Err(ElementError::Thin { .. }) if !is_whole => {
                 element(self.index, self.surface, part, self.space, 0)
             }
             found => found,
@@ -408,6 +409,8 @@ pub fn mesh_sizes(scene: &Scene, how: &Discretization, mesh: &Mesh) -> Vec<CutSi
 
 #[cfg(test)]
 mod tests {
+    use radiosity_scene::Source;
+
     use super::cells::Layers;
     use super::*;
 
@@ -436,5 +439,45 @@ mod tests {
     fn graded_elements_cover_their_surface() {
         let area: f64 = graded_box().list().iter().map(|element| element.area).sum();
         assert!((area - 6.0).abs() < 1e-13, "{area}");
+    }
+
+    /// A floor of the shape of an L with walls at the inner sides, turned, of corners in single precision: beside its cuts
+    /// along these walls slivers are left.
+    fn two_wings(turn: f64) -> Scene {
+        let (sin, cos) = turn.sin_cos();
+        let turned = |[x, y]: [f64; 2], z: f64| {
+            [x * cos - y * sin, x * sin + y * cos, z].map(|coordinate| f64::from(coordinate as f32))
+        };
+        let plan = [[0.0, 0.0], [7.3, 0.0], [7.3, 2.9], [3.1, 2.9], [3.1, 6.7], [0.0, 6.7]];
+        let surface = |name: &str, vertices: &[[f64; 3]]| {
+            format!("{{ name = {name:?}, material = \"grey\", polygon = {{ vertices = {vertices:?} }} }},\n")
+        };
+        let wall = |[a, b]: [[f64; 2]; 2]| [turned(a, 0.0), turned(a, 3.0), turned(b, 3.0), turned(b, 0.0)];
+        let surfaces = [
+            surface("floor", &plan.map(|place| turned(place, 0.0))),
+            surface("south", &wall([plan[2], plan[3]])),
+            surface("east", &wall([plan[3], plan[4]])),
+        ];
+        let text = format!(
+            "bands = [\"grey\"]\nmaterials = {{ grey = {{ reflectance = 0.5 }} }}\nsurfaces = [\n{}]\n",
+            surfaces.concat()
+        );
+        radiosity_language::read(&Source::new("wings.toml", &text)).expect("it is a scene")
+    }
+
+    #[test]
+    fn slivers_beside_a_cut_are_elements() {
+        for turn in 0..40 {
+            let scene = two_wings(0.1 * f64::from(turn));
+            let how = Discretization {
+                order: 3,
+                space: Space::Total,
+                subdivide: Subdivide::Auto { occluded: true },
+                layers: Layers::NONE,
+            };
+            let elements = Elements::new(&scene, &how).unwrap_or_else(|error| panic!("{turn}: {error}"));
+            let area: f64 = elements.of_surface(0).map(|index| elements.list()[index].area).sum();
+            assert!((area / scene.surfaces[0].shape.area() - 1.0).abs() < 1e-12, "{turn}: {area}");
+        }
     }
 }

@@ -219,6 +219,15 @@ impl Mesh {
         self.surfaces.len() == surfaces && self.surfaces.iter().all(fits)
     }
 
+    /// The same cells, of the orders that `order` tells by the rectangle and the order of each.
+    pub fn with_orders(&self, order: &dyn Fn(&Rect, usize) -> usize) -> Self {
+        let surface = |tree: &Tree<usize>| {
+            let changed = tree.map(&Rect::FULL, &mut |rect, own| Ok::<_, Infallible>(order(rect, *own)));
+            changed.unwrap_or_else(|never| match never {})
+        };
+        Self { surfaces: self.surfaces.iter().map(surface).collect() }
+    }
+
     /// The mesh after what `refinement` says of each leaf, by its surface and its number there.
     pub fn refined(&self, refinement: &dyn Fn(usize, usize) -> CellRefinement) -> Self {
         let surface = |(surface, tree): (usize, &Tree<usize>)| {
@@ -243,7 +252,7 @@ mod tests {
     use proptest::prelude::*;
 
     use super::*;
-    use crate::cells::{Layers, breaks, cells_between};
+    use crate::cells::{Layers, cells_between, equal_parts, with_layers};
 
     /// The rectangles of the leaves in order.
     fn rects<T: Copy>(tree: &Tree<T>) -> Vec<Rect> {
@@ -266,7 +275,8 @@ mod tests {
 
     #[test]
     fn a_grid_has_the_cells_between_its_breaks_in_order() {
-        let breaks = [3, 2].map(|parts| breaks(parts, Layers { count: 1, ratio: 0.3 }));
+        let layers = Layers { count: 1, ratio: 0.3 };
+        let breaks = [3, 2].map(|parts| with_layers(&equal_parts(parts), layers));
         let cells: Vec<Rect> = cells_between(&breaks).collect();
         assert_eq!(rects(&Tree::grid(&breaks, 0)), cells);
     }

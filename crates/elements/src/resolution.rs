@@ -4,9 +4,9 @@ use radiosity_geom::{Aabb, Rect};
 use radiosity_scene::{Pattern, Scene, SceneSurface};
 use rayon::prelude::*;
 
-use super::cells::breaks;
+use super::cells::{equal_parts, with_layers};
 use super::discretization::{Discretization, Subdivide};
-use super::dividers::{Dividers, divided};
+use super::dividers::{Dividers, Lines, divided};
 use super::mesh::{Mesh, Tree};
 
 /// Order and cuts of each surface of a scene.
@@ -69,7 +69,7 @@ impl<'a> Resolution<'a> {
     }
 
     /// Elements of the `index`-th surface along u and v, layers and dividers apart.
-    pub(super) fn parts(&self, index: usize, surface: &SceneSurface) -> [usize; 2] {
+    fn parts(&self, index: usize, surface: &SceneSurface) -> [usize; 2] {
         surface.subdivide.unwrap_or_else(|| {
             let parts = match self.how.subdivide {
                 Subdivide::Uniform(parts) => parts,
@@ -87,15 +87,16 @@ impl<'a> Resolution<'a> {
 
     /// Ends of the cells of the `index`-th surface along u and v.
     pub(super) fn breaks(&self, index: usize, surface: &SceneSurface) -> [Vec<f64>; 2] {
-        let parts = self.parts(index, surface);
-        let uniform = parts.map(|parts| breaks(parts, self.how.layers));
-        match &self.dividers {
-            Some(dividers) if surface.subdivide.is_none() => {
-                let [[along_u, along_v], lines] = [uniform, dividers.lines(index)];
-                [divided(along_u, parts[0], &lines[0]), divided(along_v, parts[1], &lines[1])]
-            }
-            _ => uniform,
-        }
+        let parts = self.parts(index, surface).map(equal_parts);
+        let lines = self.lines(index, surface);
+        [0, 1].map(|across| with_layers(&divided(&parts[across], &lines[across]), self.how.layers))
+    }
+
+    /// The lines along which the `index`-th surface is cut besides; none where its cells are stated, or are those of
+    /// its emission.
+    fn lines(&self, index: usize, surface: &SceneSurface) -> Lines {
+        let is_free = surface.subdivide.is_none() && surface.material.emission_pattern.is_none();
+        self.dividers.as_ref().filter(|_| is_free).map_or_else(Lines::default, |all| all.lines(index))
     }
 
     fn grade(&self, index: usize, rays: u64) -> Option<&'static Grade> {
@@ -111,12 +112,6 @@ pub fn usual_mesh(scene: &Scene, how: &Discretization) -> Mesh {
         Tree::grid(&resolution.breaks(index, surface), resolution.order(index, surface))
     };
     Mesh::new(scene.surfaces.iter().enumerate().map(tree).collect())
-}
-
-/// Elements along u and v of each surface that is cut as `how` says, layers and dividers apart.
-pub fn cuts(scene: &Scene, how: &Discretization) -> Vec<[usize; 2]> {
-    let resolution = Resolution::new(scene, how);
-    scene.surfaces.iter().enumerate().map(|(index, surface)| resolution.parts(index, surface)).collect()
 }
 
 /// Most elements along each direction for the sake of emission that varies: 64 in all. With more each emitter

@@ -27,8 +27,8 @@
 //! as rules cut near elements by themselves.
 
 use radiosity_core::dot;
-use radiosity_elements::{Elements, cuts};
-use radiosity_scene::Scene;
+use radiosity_elements::mesh::{CellRefinement, Mesh};
+use radiosity_elements::{Elements, Subdivide};
 use radiosity_solve::driver::cost::seconds_of_samples;
 use radiosity_solve::{Model, Outcome};
 
@@ -52,8 +52,8 @@ const LEAST_ORDER: usize = 2;
 /// Elements that are cut once more.
 #[derive(Debug)]
 pub(super) struct Cut {
-    /// The scene with surfaces of so many elements.
-    pub(super) scene: Scene,
+    /// Its cells.
+    pub(super) mesh: Mesh,
     /// The order of the elements.
     pub(super) order: usize,
     /// Whether all surfaces are cut.
@@ -64,7 +64,7 @@ pub(super) struct Cut {
 
 impl Cut {
     /// The cut of the elements of a model, whose `outcome` it tells the error of; None where there is no time for it.
-    pub(super) fn of(scene: &Scene, roles: &Roles, model: &Model, outcome: &Outcome) -> Option<Self> {
+    pub(super) fn of(roles: &Roles, model: &Model, outcome: &Outcome) -> Option<Self> {
         let elements = model.elements();
         let order = elements.discretization().order.max(LEAST_ORDER);
         let varied = variations(elements, roles, outcome);
@@ -76,22 +76,24 @@ impl Cut {
         let all: f64 = varied.iter().sum();
         let left_out = if part > 0.0 { all / part } else { 1.0 };
         let is_whole = chosen.len() == varied.len();
-        let scene = refined(scene, elements, &chosen);
-        Some(Self { scene, order, is_whole, factor: CONVERGENCE * left_out })
+        Some(Self { mesh: refined(elements, &chosen), order, is_whole, factor: CONVERGENCE * left_out })
     }
 }
 
-/// The scene with the surfaces `chosen` in about quarters of the elements that they have, and all others in these.
-fn refined(scene: &Scene, elements: &Elements, chosen: &[usize]) -> Scene {
-    let mut refined = scene.clone();
-    for own in &mut refined.surfaces {
-        own.order = own.order.map(|order| order.max(LEAST_ORDER));
-    }
-    let parts = cuts(scene, elements.discretization());
+/// The cells of these elements, those of the surfaces `chosen` in quarters; of orders that rays support, if rays carry
+/// them.
+fn refined(elements: &Elements, chosen: &[usize]) -> Mesh {
+    let mut of_surfaces = vec![CellRefinement::Keep; elements.surfaces()];
     for surface in chosen {
-        refined.surfaces[*surface].subdivide = Some(parts[*surface].map(|along| 2 * along));
+        of_surfaces[*surface] = CellRefinement::Cut(None);
     }
-    refined
+    let refinement: Vec<CellRefinement> =
+        elements.list().iter().map(|element| of_surfaces[element.surface]).collect();
+    let least = match elements.discretization().subdivide {
+        Subdivide::Auto { .. } | Subdivide::Uniform(_) => LEAST_ORDER,
+        Subdivide::Graded { .. } => 0,
+    };
+    elements.refined(&refinement).with_orders(&|_, order| order.max(least))
 }
 
 /// v of each surface.

@@ -45,7 +45,8 @@ impl<'a> Forecast<'a> {
     /// Whether there is memory for the balance of the scene on elements that are `cut` once more.
     pub(super) fn fits(&self, cut: &Cut) -> bool {
         let options = Options { order: cut.order, ..*self.options };
-        let needed = || Model::peak_memory(&all_emit(&cut.scene, self.roles), &options, self.ranks);
+        let lit = || all_emit(self.scene, self.roles);
+        let needed = || Model::peak_memory_on(&cut.mesh, &lit(), &options, self.ranks);
         self.options.memory.is_none_or(|allowed| needed() <= allowed)
     }
 }

@@ -133,14 +133,15 @@ impl Heat {
             forecast.require_conductances()?;
         }
         let (surfaces, outcome, closure, conductances, cut) = {
-            let Solved { model, mut outcome, closure } = solved(scene, &roles, &options, work)?;
+            let model = Model::assemble(&all_emit(scene, &roles), &options, work)?;
+            let Solved { model, mut outcome, closure } = solved(scene, &roles, model, &options, work)?;
             let surfaces = figures(scene, &roles, &outcome)?;
             // What rules or rays missed does not matter where sums tell it.
             outcome.worst_error = outcome.worst_error.filter(|_| !closure.is_exact);
             let conductances =
                 || options.in_threads(work.ranks, || Conductances::of(scene, &roles, &model, work))?;
             let conductances = wanted.conductances.then(conductances).transpose()?;
-            let cut = Cut::of(scene, &roles, &model, &outcome).filter(|cut| forecast.fits(cut));
+            let cut = Cut::of(&roles, &model, &outcome).filter(|cut| forecast.fits(cut));
             (surfaces, outcome, closure, conductances, cut)
         };
         let mut heat = Self {
@@ -157,7 +158,7 @@ impl Heat {
         let reached = if closure.is_exact { options.tolerance } else { reached };
         match cut {
             Some(cut) => {
-                heat.add_errors_by(&cut, reached, &roles, &options, &work.observed_by(&compared))?;
+                heat.add_errors_by(&cut, reached, scene, &roles, &options, &work.observed_by(&compared))?;
             }
             None => add_errors_of_blocks(&mut heat.surfaces, reached),
         }
@@ -170,14 +171,16 @@ impl Heat {
         &mut self,
         cut: &Cut,
         reached: f64,
+        scene: &Scene,
         roles: &Roles,
         options: &Options,
         work: &Work<'_>,
     ) -> Result<(), HeatError> {
         let [eps, shadow_eps] = [options.eps, options.shadow_eps].map(|own| (COARSER * own).min(LARGEST_EPS));
         let options = Options { order: cut.order, eps, shadow_eps, ..*options };
-        let outcome = solved(&cut.scene, roles, &options, work)?.outcome;
-        let others = figures(&cut.scene, roles, &outcome)?;
+        let model = Model::assemble_on(&cut.mesh, &all_emit(scene, roles), &options, work)?;
+        let outcome = solved(scene, roles, model, &options, work)?.outcome;
+        let others = figures(scene, roles, &outcome)?;
         let by_rays = self.outcome.sampling.and_then(|sampling| sampling.error).unwrap_or(0.0);
         let least = match cut.is_whole {
             true => reached.min(difference(&self.surfaces, &others)),
@@ -217,9 +220,14 @@ struct Solved {
     closure: Closure,
 }
 
-/// The model of a scene, with rows that close, and its light with the shields at their levels.
-fn solved(scene: &Scene, roles: &Roles, options: &Options, work: &Work<'_>) -> Result<Solved, HeatError> {
-    let model = Model::assemble(&all_emit(scene, roles), options, work)?;
+/// The `model` of a scene with rows that close, and its light with the shields at their levels.
+fn solved(
+    scene: &Scene,
+    roles: &Roles,
+    model: Model,
+    options: &Options,
+    work: &Work<'_>,
+) -> Result<Solved, HeatError> {
     levels::require(scene, roles, &model, options)?;
     let (model, closure) = options.in_threads(work.ranks, || close(scene, model, options))?;
     let radiant = radiant(scene, roles);

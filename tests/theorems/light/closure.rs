@@ -1,14 +1,16 @@
 //! Row sums in closed rooms: all that leaves a lamp reaches something, whatever curved things stand around
-//! it.
+//! it; and nothing reaches the room next door.
 
 use std::fmt::Write;
 
 use radiosity::Work;
 use radiosity::kernel::Accuracy;
+use radiosity::solve::Options;
 use radiosity::transport;
 use radiosity::visibility::{Shadows, Visibility};
+use radiosity_core::dot;
 use radiosity_test_support::scenes::typed;
-use radiosity_test_support::solved::elements_of;
+use radiosity_test_support::solved::{elements_of, outcome_of};
 
 /// Row sum Σ_j F_ij of the surface `name`, which is one element, at the default accuracies.
 fn row_sum(text: &str, name: &str, order: usize) -> f64 {
@@ -66,5 +68,54 @@ fn a_strip_behind_a_pilaster_is_not_lit() {
     for order in [0, 3] {
         let sum = row_sum(&pilaster(), "lamp", order);
         assert!((sum - 1.0).abs() < 2e-3, "order {order}: {sum}");
+    }
+}
+
+/// Two rooms under one ceiling, on one floor, parted by a wall from side to side at x = `wall`; one end of the first
+/// shines. Of the other no element receives light, those of the first all:
+///
+/// ```text
+/// Σ ∫ E dA = M A / (1 − ρ) .
+/// ```
+#[test]
+fn a_wall_from_floor_to_ceiling_keeps_all_light_in_its_room() {
+    for wall in [2.6, 3.0] {
+        let scene = typed(&format!(
+            r#"
+bands = ["lm"]
+materials.grey = {{ reflectance = 0.5 }}
+materials.shining = {{ reflectance = 0.5, emission = 1 }}
+[[surfaces]]
+name = "house"
+material = "grey"
+box = {{ origin = [0, 0, 0], size = [4, 2, 2], inward = true, open = ["left"] }}
+[[surfaces]]
+name = "end"
+material = "shining"
+parallelogram = {{ origin = [0, 0, 0], edge1 = [0, 2, 0], edge2 = [0, 0, 2] }}
+[[surfaces]]
+name = "wall"
+material = "grey"
+two_sided = true
+parallelogram = {{ origin = [{wall}, 0, 0], edge1 = [0, 2, 0], edge2 = [0, 0, 2] }}
+"#
+        ));
+        let outcome = outcome_of(&scene, &Options::default());
+        let elements = outcome.solution.elements();
+        let irradiance = &outcome.solution.bands()[0].coefficients.irradiance;
+        let starts = elements.starts();
+        let mut received = 0.0;
+        for (index, element) in elements.list().iter().enumerate() {
+            let own = &irradiance[starts[index]..starts[index + 1]];
+            let [u, v] = element.rect.center();
+            let middle = elements.shape(element.surface).jet(u, v);
+            if middle.position.x > wall || (middle.position.x == wall && middle.normal.x > 0.0) {
+                let most = own.iter().fold(0.0, |most: f64, own| most.max(own.abs()));
+                assert!(most < 1e-9, "{}: {most}", scene.surfaces[element.surface].name);
+            } else {
+                received += dot(&element.constant, own);
+            }
+        }
+        assert!((received / 8.0 - 1.0).abs() < 2e-3, "{received}");
     }
 }

@@ -119,15 +119,7 @@ fn breaks(cells: &[Rect]) -> [Vec<f64>; 2] {
 
 /// The cells of `mesh`, all of one order.
 fn with_order(mesh: &Mesh, order: usize) -> Mesh {
-    mapped(mesh, &|_, _| order)
-}
-
-fn mapped(mesh: &Mesh, order: &dyn Fn(&Rect, usize) -> usize) -> Mesh {
-    let surface = |tree: &Tree<usize>| {
-        let mapped = tree.map(&Rect::FULL, &mut |rect, own| Ok(order(rect, *own)));
-        mapped.unwrap_or_else(|never: std::convert::Infallible| match never {})
-    };
-    Mesh::new(mesh.surfaces().iter().map(surface).collect())
+    mesh.with_orders(&|_, _| order)
 }
 
 /// Cells and orders that hold cosines of the degrees that `mesh` states; cells on which no order would do are
@@ -138,7 +130,7 @@ fn holding_cosines(mut mesh: Mesh, tolerance: f64) -> Mesh {
         order_of_cosine(degree as f64 * FRAC_PI_2 * 0.5 * widths[0].max(widths[1]), tolerance)
     };
     loop {
-        let orders = mapped(&mesh, &|rect, degree| order(rect, degree).unwrap_or(usize::MAX));
+        let orders = mesh.with_orders(&|rect, degree| order(rect, degree).unwrap_or(usize::MAX));
         let leaves: Vec<Vec<&usize>> = orders.surfaces().iter().map(Tree::values).collect();
         if leaves.iter().flatten().all(|order| **order != usize::MAX) {
             return orders;

@@ -69,6 +69,11 @@ impl Layout {
 }
 
 impl<'a> AssemblyPlan<'a> {
+    /// The plan of a model on these cells.
+    pub(super) fn on(mesh: &'a Mesh) -> Self {
+        Self { mesh: Some(mesh), ..Self::default() }
+    }
+
     /// All decisions about `scene`.
     pub(super) fn decided(self, scene: &Scene, options: &Options) -> Decisions<'a> {
         let visibility = options.visibility(scene);

@@ -96,6 +96,20 @@ impl Model {
         options.in_threads(work.ranks, || Self::assembled(scene, options, plan, None, work))?
     }
 
+    /// Computes the blocks between elements of `scene` on the cells of `mesh`, whatever `options` say of them.
+    ///
+    /// # Errors
+    /// As [`Model::assemble`].
+    pub fn assemble_on(
+        mesh: &Mesh,
+        scene: &Scene,
+        options: &Options,
+        work: &Work<'_>,
+    ) -> Result<Self, Failure> {
+        options
+            .in_threads(work.ranks, || Self::assembled(scene, options, AssemblyPlan::on(mesh), None, work))?
+    }
+
     /// A model of this layout; blocks and rays that `kept` holds of earlier scenes, in which some surfaces
     /// stood elsewhere, are not computed again.
     ///
@@ -114,6 +128,11 @@ impl Model {
     /// Bytes that the model of `scene` and its solution take at the most on each of these ranks, estimated.
     pub fn peak_memory(scene: &Scene, options: &Options, ranks: &Ranks) -> u64 {
         AssemblyPlan::default().decided(scene, options).peak_memory(scene, options, ranks)
+    }
+
+    /// As [`peak_memory`](Self::peak_memory), on the cells of `mesh`.
+    pub fn peak_memory_on(mesh: &Mesh, scene: &Scene, options: &Options, ranks: &Ranks) -> u64 {
+        AssemblyPlan::on(mesh).decided(scene, options).peak_memory(scene, options, ranks)
     }
 
     /// Solves `scene` by exact blocks, for the reason `why`, between the elements of a refined mesh if there is

@@ -292,10 +292,13 @@ fn seconds_of_rays(solution: &Solution, eps: f64, twice: bool) -> f64 {
 
 #[cfg(test)]
 mod tests {
+    use std::cell::Cell;
+
     use radiosity_work::Work;
 
     use super::*;
     use crate::driver::{Options, solve};
+    use crate::gather::standpoint::Standpoint;
 
     /// A draft is read by cells to a finer accuracy than it asks for, and takes their time.
     #[test]
@@ -308,5 +311,34 @@ mod tests {
         let at = |eps| GatherMethod::Cells.seconds(&solution, &visibility, eps, 10.0, SOME_POINTS, false);
         assert!(at(BY_CELLS) > 2.0 * at(5e-3));
         assert_eq!([seconds(5e-3), seconds(1e-3)], [at(BY_CELLS), at(1e-3)]);
+    }
+
+    /// Points on the floor of the Cornell box: what is doubtful is read anew alone, the rest as it is gathered.
+    #[test]
+    fn reflected_light_of_each_point_is_gathered_in_one_way() {
+        let scene = radiosity_language::builtin("cornell-box").expect("it is built in");
+        let options = Options { order: 1, ..Options::default() };
+        let solution = solve(&scene, &options, &Work::alone()).expect("a solution").solution;
+        let visibility = options.visibility(&scene);
+        let gathering = GatherMethod::Cells.readings(&solution, &visibility, 1e-2, false);
+        let places = gathering.doubtful.as_deref().expect("blocks cast shadows");
+        let floor = scene.surface_named("floor").expect("it is there");
+        let mut doubtful = 0;
+        for [u, v] in (0..25).map(|k| [k / 5, k % 5].map(|x| -0.9 + 0.45 * f64::from(x))) {
+            let jet = scene.surfaces[floor].shape.jet(u, v);
+            let receiver = Standpoint::find(solution.elements(), &visibility, jet.position, jet.normal)
+                .receiver_point(jet.normal);
+            let gathered = Cell::new(0);
+            let lit = vec![0.0; solution.bands().len()];
+            let found = gathering.beside(&receiver, &lit, || {
+                gathered.set(gathered.get() + 1);
+                lit.clone().into()
+            });
+            let anew = places.point_anew(&receiver, &lit);
+            doubtful += usize::from(anew.is_some());
+            assert_eq!(gathered.get(), usize::from(anew.is_none()));
+            assert_eq!(found.irradiance, anew.map_or(lit, |anew| anew.irradiance));
+        }
+        assert!(doubtful > 0 && doubtful < 25, "{doubtful}");
     }
 }
