@@ -65,6 +65,48 @@ fn fitted_light_is_that_of_every_pixel() {
     }
 }
 
+/// A pole two pixels thick throws a shadow as narrow on the floor, between the pixels of the grid at which direct light
+/// is computed first: few pixels of it differ from what is read there.
+#[test]
+fn narrow_shadows_are_seen_between_the_pixels_of_the_grid() {
+    let text = "bands = [\"lm\"]\n[materials.black]\nreflectance = 0\n[materials.lamp]\nreflectance = 0\nemission = 1000\n\
+        [[surfaces]]\nmaterial = \"black\"\nparallelogram = { origin = [-3, -3, 0], edge1 = [6, 0, 0], edge2 = [0, 6, 0] }\n\
+        [[surfaces]]\nmaterial = \"lamp\"\nsphere = { center = [0, 0, 3], radius = 0.1 }\n\
+        [[surfaces]]\nmaterial = \"black\"\nbox = { origin = [1, 0.3, 0], size = [0.06, 0.06, 1.2] }\n";
+    let scene = typed(text);
+    let options = Options::default();
+    let outcome = outcome_of(&scene, &options);
+    let visibility = options.visibility(&scene);
+    let size = 128;
+    let eye = DVec3::new(0.0, -0.01, 6.0);
+    let camera = Camera {
+        width: size as u32,
+        height: size as u32,
+        up: DVec3::Y,
+        fov: 40.0,
+        ..Camera::new(eye, DVec3::new(0.8, 0.25, 0.0))
+    };
+    let (read, shown) = (ReadMode::Direct, Quantity::Irradiance);
+    let raster = render(&outcome.solution, &visibility, &camera, 1, read, shown, &Work::alone());
+    let reader = Reader::new(&outcome.solution, &visibility, read, 1e-3);
+    let view = Pinhole::new(&camera);
+    let (mut shadowed, mut off) = (0, 0);
+    for (index, value) in raster.pixels().enumerate() {
+        let ray = view.ray((index % size) as f64 + 0.5, (index / size) as f64 + 0.5);
+        let Some(Encounter { surface: 0, hit, front: true }) = visibility.nearest(&ray) else { continue };
+        let elements = outcome.solution.elements();
+        let element = elements.at(0, [hit.u, hit.v]).expect("no holes");
+        let jet = elements.shape(0).jet(hit.u, hit.v);
+        let place = SurfacePlace { surface: 0, parameters: [hit.u, hit.v], position: jet.position };
+        let exact = reader.irradiance(element, &place, jet.normal).irradiance[0];
+        let distance = jet.position.distance(DVec3::new(0.0, 0.0, 3.0));
+        let unshadowed = 1000.0 * 0.1_f64.powi(2) * 3.0 / distance.powi(3);
+        shadowed += u32::from(exact < 0.7 * unshadowed);
+        off += u32::from((value[0] - exact).abs() > 0.05 * unshadowed);
+    }
+    assert!(shadowed > 50 && 20 * off < shadowed, "{off} of {shadowed} in shadow");
+}
+
 /// The middle of a picture, in which an area sends I₀ cosⁿ γ, has the radiosity π L = π I₀ cosⁿ⁻¹ γ / A from
 /// where it is seen.
 #[test]
