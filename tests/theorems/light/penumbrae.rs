@@ -20,6 +20,9 @@ use radiosity_test_support::solved::outcome_of;
 
 const SIZE: u32 = 96;
 
+/// Part of the light by which pixels between those that are computed may err: half of what pictures are accurate to.
+const FITTED: f64 = 1.5e-3;
+
 /// Radius of the disk that shines.
 const DISK: f64 = 0.5;
 
@@ -87,8 +90,7 @@ fn a_round_lamp_lights_the_floor_far_below_and_close_by() {
         for (value, place) in &floor {
             let step = place.position + taken.scene.middle - DVec3::new(0.0, 0.0, height);
             let exact = 3.0 * RADIUS.powi(2) * height / step.length().powi(3);
-            // Pictures hold single precision, and places on borders are moved inwards a little.
-            assert!((value / exact - 1.0).abs() < 1e-5, "{height}: {value} for {exact}");
+            assert!((value / exact - 1.0).abs() < FITTED, "{height}: {value} for {exact}");
         }
     }
 }
@@ -125,7 +127,7 @@ fn a_disk_lights_the_floor_without_noise() {
     for (value, place) in floor {
         let at = place.position + taken.scene.middle;
         let exact = from_disk(at.x.hypot(at.y));
-        assert!((value / exact - 1.0).abs() < 1e-4, "{at}: {value} for {exact}");
+        assert!((value / exact - 1.0).abs() < FITTED, "{at}: {value} for {exact}");
     }
 }
 
@@ -148,7 +150,7 @@ fn from_part(at: DVec3, edge: f64) -> f64 {
 }
 
 #[test]
-fn the_edge_of_a_plate_cuts_a_disk_exactly() {
+fn the_edge_of_a_plate_cuts_a_disk() {
     // The plate hides x > 0 halfway up: from x it leaves the part u < -x of the disk.
     let plate = Parallelogram::new(DVec3::new(0.0, -8.0, 1.0), 8.0 * DVec3::X, 16.0 * DVec3::Y);
     let camera = Camera::new(DVec3::new(-3.0, 0.3, 0.8), DVec3::new(0.2, 0.0, 0.0));
@@ -159,7 +161,7 @@ fn the_edge_of_a_plate_cuts_a_disk_exactly() {
     for (value, place) in taken.on_floor().into_iter().step_by(23) {
         let at = place.position + taken.scene.middle;
         let exact = from_part(at, -at.x);
-        assert!((value - exact).abs() < 1e-3 * from_disk(at.x.hypot(at.y)), "{at}: {value} for {exact}");
+        assert!((value - exact).abs() < FITTED * from_disk(at.x.hypot(at.y)), "{at}: {value} for {exact}");
         let kind = if at.x.abs() < DISK {
             &mut mixed
         } else if at.x < 0.0 {

@@ -164,16 +164,21 @@ impl<'a> LightField<'a> {
     /// The places in narrow gaps, and the others.
     fn by_gaps(&self, places: &[Option<AskedPlace>]) -> (Vec<usize>, Vec<usize>) {
         let asked = (0..places.len()).into_par_iter().filter(|place| places[*place].is_some());
-        asked.partition(|place| {
-            places[*place].as_ref().is_some_and(|asked| self.light.is_in_gap(&asked.seen))
-        })
+        asked
+            .partition(|place| places[*place].as_ref().is_some_and(|asked| self.light.is_in_gap(&asked.seen)))
     }
 
     /// The light of each of some places, gathered there.
-    fn each(&self, places: &[Option<AskedPlace>], some: &[usize], work: &Work<'_>) -> Vec<Option<ComputedLight>> {
+    fn each(
+        &self,
+        places: &[Option<AskedPlace>],
+        some: &[usize],
+        work: &Work<'_>,
+    ) -> Vec<Option<ComputedLight>> {
         let count = PixelCount::new(some.len(), Stage::GatheredPixels, work);
         let one = |index: usize| {
-            let light = places[some[index]].as_ref().map(|asked| self.gathered(&asked.seen, asked.error_factor));
+            let light =
+                places[some[index]].as_ref().map(|asked| self.gathered(&asked.seen, asked.error_factor));
             count.add();
             light
         };

@@ -2,10 +2,10 @@
 //! even, computed where it is not.
 //!
 //! Around a pixel a polynomial is fitted to the light of the grid's pixels on its surface (`light_field::fit`). It holds
-//! where it leaves at most ε of all light E, or of √(E Ē) in places darker than the mean Ē of the scene, beside their
-//! own errors. Of every cell of the grid one more pixel is computed: where its fit errs by more, as across a shadow that
-//! is narrower than a cell, the pixels around are computed too, and so on along that shadow. A shadow is missed where
-//! it is narrower than a pixel, or lies in a cell or two.
+//! where the corners of its cell are on that surface, and where it leaves at most ε/2 of all light E, or of √(E Ē) in
+//! places darker than the mean Ē of the scene, beside their own errors. Of every cell of the grid one more pixel is
+//! computed: where its fit errs by more, as across a shadow that is narrower than a cell, the pixels around are computed
+//! too, and so on along that shadow. A shadow is missed where it is narrower than a pixel, or lies in a cell or two.
 //!
 //! By few rays first, and by more where pixels beside each other see other emitters.
 
@@ -25,6 +25,9 @@ use crate::pictures::pixel_count::PixelCount;
 
 /// Pixels from one of the grid to the next. Chosen.
 const STEP: usize = 4;
+
+/// Error that a fit may leave, over that of light that is computed. Chosen: what it errs by is smaller.
+const FITTED: f64 = 0.5;
 
 /// Reach of a fit, in cells of the grid.
 const REACH: f64 = 2.0;
@@ -122,8 +125,13 @@ impl<'a> DirectPass<'a> {
         let first = at.map(|at| (at / STEP) as isize);
         for (i, j) in (-1..=2).flat_map(|j| (-1..=2).map(move |i| (first[0] + i, first[1] + j))) {
             let Some(node) = self.frame.pixel([i, j].map(|at| at * STEP as isize)) else { continue };
-            let PixelLight::Computed(lit) = &self.pixels[node] else { continue };
-            let Some(there) = self.frame.seen(node).filter(|there| seen.goes_with(there)) else { continue };
+            let beside = self.frame.seen(node).filter(|there| seen.goes_with(there));
+            let (PixelLight::Computed(lit), Some(there)) = (&self.pixels[node], beside) else {
+                if is_corner([i, j], at) {
+                    return None;
+                }
+                continue;
+            };
             let weight = weight(at, [i, j]);
             if weight == 0.0 {
                 continue;
@@ -144,7 +152,7 @@ impl<'a> DirectPass<'a> {
     /// Most error of the sum over the bands (W m⁻²) at a place with this direct light.
     fn tolerance(&self, seen: &SeenPlace, direct: &[f64]) -> f64 {
         let all = direct.iter().sum::<f64>() + self.light.polynomials(seen).iter().sum::<f64>();
-        self.light.eps() * (all * all.max(self.light.mean())).sqrt()
+        FITTED * self.light.eps() * (all * all.max(self.light.mean())).sqrt()
     }
 
     /// Computes the light of a pixel of every cell with fitted ones, and of those around where a fit errs by more
@@ -244,6 +252,11 @@ impl<'a> DirectPass<'a> {
         };
         self.pixels.into_iter().map(own).collect()
     }
+}
+
+/// Whether a pixel of the grid, in steps of it, is a corner of the cell of another pixel.
+fn is_corner(node: [isize; 2], pixel: [usize; 2]) -> bool {
+    (0..2).all(|axis| (pixel[axis] as f64 / STEP as f64 - node[axis] as f64).abs() < 1.0)
 }
 
 /// The weight (1 − (r/R)²)² in the fit at a pixel of one of the grid, r in its cells.
