@@ -441,8 +441,8 @@ mod tests {
         assert!((area - 6.0).abs() < 1e-13, "{area}");
     }
 
-    /// A floor of the shape of an L with walls at the inner sides, turned, of corners in single precision: beside its cuts
-    /// along these walls slivers are left.
+    /// A floor of the shape of an L with walls at the inner sides, turned, of corners in single precision: beside its
+    /// cuts along these walls slivers are left.
     fn two_wings(turn: f64) -> Scene {
         let (sin, cos) = turn.sin_cos();
         let turned = |[x, y]: [f64; 2], z: f64| {

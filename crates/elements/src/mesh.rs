@@ -219,7 +219,7 @@ impl Mesh {
         self.surfaces.len() == surfaces && self.surfaces.iter().all(fits)
     }
 
-    /// The same cells, of the orders that `order` tells by the rectangle and the order of each.
+    /// This mesh with the orders that `order` tells by the rectangle and the order of each.
     pub fn with_orders(&self, order: &dyn Fn(&Rect, usize) -> usize) -> Self {
         let surface = |tree: &Tree<usize>| {
             let changed = tree.map(&Rect::FULL, &mut |rect, own| Ok::<_, Infallible>(order(rect, *own)));

@@ -17,7 +17,7 @@ pub(super) struct Resolution<'a> {
     extent: f64,
     /// Share of each surface in the area of all; empty where it does not matter.
     shares: Vec<f64>,
-    /// What parts the light of surfaces; None where a number of elements is asked for.
+    /// Partitions that part the light of surfaces; None where a number of elements is asked for.
     dividers: Option<Dividers<'a>>,
 }
 
