@@ -20,8 +20,8 @@ use radiosity_test_support::solved::outcome_of;
 
 const SIZE: u32 = 96;
 
-/// Part of the light E, or of √(E Ē) where it is darker than the mean Ē of the scene, by which pixels between those that
-/// are computed may err: half of what pictures are accurate to.
+/// Part of the light E, or of √(E Ē) where it is darker than the mean Ē of the scene, by which pixels between those
+/// that are computed may err: half of what pictures are accurate to.
 const FITTED: f64 = 1.5e-3;
 
 /// Radius of the disk that shines.

@@ -40,7 +40,7 @@ const BY_CELLS: f64 = 3e-4;
 
 /// Points that share the tables of cells where it is not known how many are read. Chosen: in rooms a dozen to a hundred
 /// take less than twice the time of the better choice.
-pub const SOME_POINTS: f64 = 25.0;
+pub(crate) const SOME_POINTS: f64 = 25.0;
 
 /// Seconds of the usual rays over those of direct light by cells, at least, where cells find it: what they spare is
 /// about half of the rays, and few flat lamps take longer than forecast. Chosen.

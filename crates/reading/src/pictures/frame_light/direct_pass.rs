@@ -4,9 +4,9 @@
 //! Around a pixel a polynomial is fitted to the light of the grid's pixels on its surface (`light_field::fit`). It
 //! holds where the corners of its cell are on that surface, and where it leaves at most ε/2 of all light E, or of
 //! √(E Ē) in places darker than the mean Ē of the scene, beside their own errors. Of every cell of the grid one more
-//! pixel is computed: where its fit errs by more, as across a shadow that is narrower than a cell, the pixels around are
-//! computed too, and so on along that shadow. A shadow is missed where it is narrower than a pixel, or lies in a cell or
-//! two.
+//! pixel is computed: where its fit errs by more, as across a shadow that is narrower than a cell, the pixels around
+//! are computed too, and so on along that shadow. A shadow is missed where it is narrower than a pixel, or lies in a
+//! cell or two.
 //!
 //! By few rays first, and by more where pixels beside each other see other emitters.
 
