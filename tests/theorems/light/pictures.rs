@@ -4,14 +4,15 @@
 use std::f64::consts::PI;
 
 use radiosity::Work;
-use radiosity::geom::{DVec3, Encounter};
+use radiosity::geom::{DVec3, Encounter, Ray};
 use radiosity::reading::pictures::pinhole::Pinhole;
 use radiosity::reading::pictures::render::render;
 use radiosity::reading::quantity::Quantity;
 use radiosity::reading::reader::{ReadMode, Reader};
 use radiosity::scene::Camera;
 use radiosity::solve::Options;
-use radiosity::solve::solution::SurfacePlace;
+use radiosity::solve::solution::{Solution, SurfacePlace};
+use radiosity::visibility::Visibility;
 use radiosity_test_support::scenes::{builtin, typed};
 use radiosity_test_support::solved::outcome_of;
 
@@ -20,6 +21,24 @@ const SIZE: usize = 256;
 
 /// One of so many pixels is compared: no divisor of [`SIZE`], and gathering takes a millisecond for each.
 const COMPARED: usize = 11;
+
+/// A place that a pixel sees, with what is read there.
+struct ReadPlace {
+    element: usize,
+    place: SurfacePlace,
+    irradiance: Vec<f64>,
+}
+
+/// Irradiance at the front that a ray meets first.
+fn read_along(ray: &Ray, visibility: &Visibility, solution: &Solution, reader: &Reader) -> Option<ReadPlace> {
+    let Encounter { surface, hit, front: true } = visibility.nearest(ray)? else { return None };
+    let elements = solution.elements();
+    let element = elements.at(surface, [hit.u, hit.v]).expect("no holes");
+    let jet = elements.shape(surface).jet(hit.u, hit.v);
+    let place = SurfacePlace { surface, parameters: [hit.u, hit.v], position: jet.position };
+    let irradiance = reader.irradiance(element, &place, jet.normal).irradiance;
+    Some(ReadPlace { element, place, irradiance })
+}
 
 #[test]
 fn fitted_light_is_that_of_every_pixel() {
@@ -44,12 +63,11 @@ fn fitted_light_is_that_of_every_pixel() {
         let (mut squares, mut sum) = (0.0, 0.0);
         for (index, values) in raster.pixels().enumerate().step_by(COMPARED) {
             let ray = view.ray((index % SIZE) as f64 + 0.5, (index / SIZE) as f64 + 0.5);
-            let Some(Encounter { surface, hit, front: true }) = visibility.nearest(&ray) else { continue };
-            let elements = outcome.solution.elements();
-            let element = elements.at(surface, [hit.u, hit.v]).expect("no holes");
-            let jet = elements.shape(surface).jet(hit.u, hit.v);
-            let place = SurfacePlace { surface, parameters: [hit.u, hit.v], position: jet.position };
-            let irradiance = reader.irradiance(element, &place, jet.normal).irradiance;
+            let Some(ReadPlace { element, place, irradiance }) =
+                read_along(&ray, &visibility, &outcome.solution, &reader)
+            else {
+                continue;
+            };
             for ((value, e), band) in values.iter().zip(irradiance).zip(outcome.solution.bands()) {
                 let exact = band.coating.radiosity(element, place.parameters, e, 0.0);
                 // Lamps are bright enough to hide all else.
@@ -93,13 +111,12 @@ fn narrow_shadows_are_seen_between_the_pixels_of_the_grid() {
     let (mut shadowed, mut off) = (0, 0);
     for (index, value) in raster.pixels().enumerate() {
         let ray = view.ray((index % size) as f64 + 0.5, (index / size) as f64 + 0.5);
-        let Some(Encounter { surface: 0, hit, front: true }) = visibility.nearest(&ray) else { continue };
-        let elements = outcome.solution.elements();
-        let element = elements.at(0, [hit.u, hit.v]).expect("no holes");
-        let jet = elements.shape(0).jet(hit.u, hit.v);
-        let place = SurfacePlace { surface: 0, parameters: [hit.u, hit.v], position: jet.position };
-        let exact = reader.irradiance(element, &place, jet.normal).irradiance[0];
-        let distance = jet.position.distance(DVec3::new(0.0, 0.0, 3.0));
+        let found = read_along(&ray, &visibility, &outcome.solution, &reader);
+        let Some(ReadPlace { place, irradiance, .. }) = found.filter(|found| found.place.surface == 0) else {
+            continue;
+        };
+        let exact = irradiance[0];
+        let distance = place.position.distance(DVec3::new(0.0, 0.0, 3.0));
         let unshadowed = 1000.0 * 0.1_f64.powi(2) * 3.0 / distance.powi(3);
         shadowed += u32::from(exact < 0.7 * unshadowed);
         off += u32::from((value[0] - exact).abs() > 0.05 * unshadowed);

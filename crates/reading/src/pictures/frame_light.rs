@@ -1,6 +1,7 @@
 //! Light at the places of a frame: those that the pixels of a picture see, or the texels of a surface.
 //!
-//! Direct light is computed at every place. Other light, where it is gathered, is that of the light field.
+//! Direct light is computed where it has edges, and fitted between (`direct_pass`). Other light, where it is gathered,
+//! is that of the light field.
 
 pub(crate) mod frame;
 mod direct_pass;
@@ -9,14 +10,11 @@ pub(crate) mod forecast;
 use radiosity_work::Work;
 
 use super::eye::SeenPlace;
-use super::light_field::fit::{AMPLIFIED, BENT, Fit};
+use super::light_field::fit::{Fit, weight};
 use super::light_field::{AskedPlace, LightField, offset};
 use super::picture_light::PictureLight;
 use direct_pass::lit;
 use frame::Frame;
-
-/// Reach of the light of a pixel in fits for samples beside it (pixels). Chosen.
-const REACH: f64 = 2.0;
 
 /// The irradiance of a frame.
 pub(crate) struct FrameLight<'a> {
@@ -66,19 +64,13 @@ impl<'a> FrameLight<'a> {
         }
         let found = fit.found()?;
         let all: f64 = found.value.iter().sum();
-        let is_even = found.amplified <= AMPLIFIED && found.residual.max(found.bend / BENT) <= even * all;
-        is_even.then(|| fit.within(found.value))
+        (found.left() <= even * all).then(|| fit.within(found.value))
     }
 
     /// Irradiance per band (W m⁻²) at a place; None where nothing is seen.
     pub(crate) fn irradiance(&self, place: usize) -> Option<&[f64]> {
         self.frame.seen(place).map(|_| &self.irradiance[place * self.bands..(place + 1) * self.bands])
     }
-}
-
-/// Weight (1 − (r/R)²)² of the light of a pixel whose middle is `apart`, along and down, from a sample (pixels).
-fn weight(apart: [f64; 2]) -> f64 {
-    (1.0 - apart.map(|x| x * x).iter().sum::<f64>() / (REACH * REACH)).max(0.0).powi(2)
 }
 
 /// The places of a frame as a light field is asked for them, beside this direct light (W m⁻² per band).

@@ -37,7 +37,7 @@ use serde::{Deserialize, Serialize};
 use super::eye::SeenPlace;
 use super::picture_light::{ComputedLight, PictureLight};
 use super::pixel_count::PixelCount;
-use fit::{AMPLIFIED, BENT, Fit, FitResult};
+use fit::{Fit, FitResult};
 use lattice::{Lattice, NodeIndex};
 
 /// Fineness of a field.
@@ -262,15 +262,11 @@ impl<'a> LightField<'a> {
     /// `is_small`. Light below 0 by no more than a fit may leave is none.
     fn trust(&self, found: &FitResult, is_small: bool, other: f64) -> f64 {
         let all = found.value.iter().map(|value| value.max(0.0)).sum::<f64>() + other;
-        let rough = if is_small { 2.0 } else { 1.0 }
-            * self.fineness().rough
-            * (all * all.max(self.light.mean())).sqrt();
-        if found.amplified > AMPLIFIED || found.value.iter().any(|value| *value < -rough) {
+        let rough = if is_small { 2.0 } else { 1.0 } * self.fineness().rough * self.light.judged_by(all);
+        if found.value.iter().any(|value| *value < -rough) {
             return 0.0;
         }
-        let beyond = |left: f64| (left * left - found.noise * found.noise).max(0.0).sqrt();
-        let quality = beyond(found.residual).max(beyond(found.bend / BENT)) / rough;
-        (2.0 * (1.0 - quality)).clamp(0.0, 1.0)
+        (2.0 * (1.0 - found.left() / rough)).clamp(0.0, 1.0)
     }
 
     /// A node that is computed.

@@ -1,7 +1,7 @@
 //! Pixels that are sampled finely: those that an edge of a surface crosses, or that differ from one beside them.
 //!
-//! They average `samples × samples` points of a regular grid. A sample that sees the same smooth surface as the
-//! middles of pixels about it takes their light where this is even; elsewhere its own is computed.
+//! They average `samples × samples` points of a regular grid. A sample that sees the smooth surface that middles of
+//! pixels about it see takes the light of a fit to theirs where that leaves little; elsewhere its own is computed.
 
 use radiosity_light::penumbra::RayEffort;
 use radiosity_work::ranks::PartName;
@@ -23,8 +23,8 @@ const CONTRAST: f64 = 0.04;
 const SAMPLES_AT_ONCE: usize = 1 << 20;
 const TOGETHER: usize = 64;
 
-/// Relative difference of the irradiances of pixels beside each other up to which a sample at an edge takes
-/// theirs. Chosen: an eighth of the samples would show half of it.
+/// Part of the light that a fit to the pixels beside a sample may leave, up to which the sample takes it. Chosen: an
+/// eighth of the samples would show half of it.
 const EVEN: f64 = 0.02;
 
 /// Rays for direct light at one of several samples of a pixel: their errors average out. Chosen.

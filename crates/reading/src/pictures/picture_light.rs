@@ -128,12 +128,7 @@ impl<'a> PictureLight<'a> {
         self.eps
     }
 
-    /// Whether direct light at a place takes longer than a fit to what is known around it.
-    pub(crate) fn is_direct_dear(&self) -> bool {
-        matches!(self.direct, DirectSource::Rays(_))
-    }
-
-    /// Rays for direct light, where they find it.
+    /// Rays for direct light, where they find it: it takes longer then than a fit to what is known around.
     pub(crate) fn penumbra(&self) -> Option<&Penumbra<'a>> {
         match &self.direct {
             DirectSource::Rays(light) => Some(light),
@@ -244,9 +239,10 @@ impl<'a> PictureLight<'a> {
         })
     }
 
-    /// Mean irradiance of the scene, the sum over the bands (W m⁻²).
-    pub(crate) fn mean(&self) -> f64 {
-        self.mean
+    /// Light √(E max(E, Ē)) relative to which errors are judged at a place of all the light E, the sum over the bands,
+    /// with the mean Ē of the scene (W m⁻²).
+    pub(crate) fn judged_by(&self, all: f64) -> f64 {
+        (all * all.max(self.mean)).sqrt()
     }
 
     /// The solution whose light it is.

@@ -294,19 +294,25 @@ fn seconds_of_rays(solution: &Solution, eps: f64, twice: bool) -> f64 {
 mod tests {
     use std::cell::Cell;
 
+    use radiosity_scene::Scene;
     use radiosity_work::Work;
 
     use super::*;
     use crate::driver::{Options, solve};
     use crate::gather::standpoint::Standpoint;
 
-    /// A draft is read by cells to a finer accuracy than it asks for, and takes their time.
-    #[test]
-    fn a_draft_by_cells_takes_the_time_of_what_reads_it() {
+    fn cornell_box() -> (Scene, Solution, Visibility) {
         let scene = radiosity_language::builtin("cornell-box").expect("it is built in");
         let options = Options { order: 1, ..Options::default() };
         let solution = solve(&scene, &options, &Work::alone()).expect("a solution").solution;
         let visibility = options.visibility(&scene);
+        (scene, solution, visibility)
+    }
+
+    /// A draft is read by cells to a finer accuracy than it asks for, and takes their time.
+    #[test]
+    fn a_draft_by_cells_takes_the_time_of_what_reads_it() {
+        let (_, solution, visibility) = cornell_box();
         let seconds = |eps| GatherMethod::Cells.seconds_of_readings(&solution, &visibility, eps, 10.0, false);
         let at = |eps| GatherMethod::Cells.seconds(&solution, &visibility, eps, 10.0, SOME_POINTS, false);
         assert!(at(BY_CELLS) > 2.0 * at(5e-3));
@@ -316,10 +322,7 @@ mod tests {
     /// Points on the floor of the Cornell box: what is doubtful is read anew alone, the rest as it is gathered.
     #[test]
     fn reflected_light_of_each_point_is_gathered_in_one_way() {
-        let scene = radiosity_language::builtin("cornell-box").expect("it is built in");
-        let options = Options { order: 1, ..Options::default() };
-        let solution = solve(&scene, &options, &Work::alone()).expect("a solution").solution;
-        let visibility = options.visibility(&scene);
+        let (scene, solution, visibility) = cornell_box();
         let gathering = GatherMethod::Cells.readings(&solution, &visibility, 1e-2, false);
         let places = gathering.doubtful.as_deref().expect("blocks cast shadows");
         let floor = scene.surface_named("floor").expect("it is there");

@@ -18,7 +18,7 @@ use rayon::prelude::*;
 
 use super::frame::Frame;
 use crate::pictures::eye::SeenPlace;
-use crate::pictures::light_field::fit::{AMPLIFIED, BENT, Fit, FitResult};
+use crate::pictures::light_field::fit::{Fit, weight};
 use crate::pictures::light_field::offset;
 use crate::pictures::neighbourhoods::Neighbourhoods;
 use crate::pictures::picture_light::{DirectIrradiance, PictureLight};
@@ -29,9 +29,6 @@ const STEP: usize = 4;
 
 /// Error that a fit may leave, over that of light that is computed. Chosen: what it errs by is smaller.
 const FITTED: f64 = 0.5;
-
-/// Reach of a fit, in cells of the grid.
-const REACH: f64 = 2.0;
 
 /// Pixels that are compared with one, to each side. Chosen: with first rays that miss a shadow in four of
 /// five pixels, one of so many still finds it.
@@ -62,7 +59,7 @@ struct DirectPass<'a> {
 /// The direct irradiance per band (W m⁻²) of all pixels; nothing where nothing is seen.
 pub(crate) fn lit(frame: &Frame, light: &PictureLight, work: &Work<'_>) -> Vec<Vec<f64>> {
     let mut pass = DirectPass::new(frame, light, work);
-    if light.is_direct_dear() {
+    if light.penumbra().is_some() {
         pass.compute(&pass.grid(), true);
         pass.fit();
         pass.test();
@@ -133,7 +130,7 @@ impl<'a> DirectPass<'a> {
                 }
                 continue;
             };
-            let weight = weight(at, [i, j]);
+            let weight = weight(apart(at, [i, j]));
             if weight == 0.0 {
                 continue;
             }
@@ -144,16 +141,14 @@ impl<'a> DirectPass<'a> {
             }
             fit.take(offset(seen, there), weight, &lit.bands, lit.error);
         }
-        let FitResult { value, residual, noise, amplified, bend } = fit.found()?;
-        let missed = residual.max(bend / BENT);
-        let left = (missed * missed - noise * noise).max(0.0).sqrt();
-        (amplified <= AMPLIFIED && left <= self.tolerance(seen, &value)).then_some(value)
+        let found = fit.found()?;
+        (found.left() <= self.tolerance(seen, &found.value)).then_some(found.value)
     }
 
     /// Most error of the sum over the bands (W m⁻²) at a place with this direct light.
     fn tolerance(&self, seen: &SeenPlace, direct: &[f64]) -> f64 {
         let all = direct.iter().sum::<f64>() + self.light.polynomials(seen).iter().sum::<f64>();
-        FITTED * self.light.eps() * (all * all.max(self.light.mean())).sqrt()
+        FITTED * self.light.eps() * self.light.judged_by(all)
     }
 
     /// Computes the light of a pixel of every cell with fitted ones, and of those around where a fit errs by more
@@ -257,11 +252,10 @@ impl<'a> DirectPass<'a> {
 
 /// Whether a pixel of the grid, in steps of it, is a corner of the cell of another pixel.
 fn is_corner(node: [isize; 2], pixel: [usize; 2]) -> bool {
-    (0..2).all(|axis| (pixel[axis] as f64 / STEP as f64 - node[axis] as f64).abs() < 1.0)
+    apart(pixel, node).iter().all(|apart| apart.abs() < 1.0)
 }
 
-/// The weight (1 − (r/R)²)² in the fit at a pixel of one of the grid, r in its cells.
-fn weight(pixel: [usize; 2], node: [isize; 2]) -> f64 {
-    let apart = |axis: usize| pixel[axis] as f64 / STEP as f64 - node[axis] as f64;
-    (1.0 - (apart(0).powi(2) + apart(1).powi(2)) / (REACH * REACH)).max(0.0).powi(2)
+/// How far a pixel is from one of the grid, along and down (steps of the grid).
+fn apart(pixel: [usize; 2], node: [isize; 2]) -> [f64; 2] {
+    std::array::from_fn(|axis| pixel[axis] as f64 / STEP as f64 - node[axis] as f64)
 }

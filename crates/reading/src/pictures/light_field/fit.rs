@@ -24,11 +24,20 @@ const FLAT: f64 = 1e-3;
 
 /// Most factor by which a fit amplifies errors of its values, where it is trusted. Chosen: 1 inside, about 1.3 at a
 /// border that has values.
-pub(crate) const AMPLIFIED: f64 = 1.6;
+const AMPLIFIED: f64 = 1.6;
 
 /// Most difference from a fit of one degree less, over the most residual of a fit, where it is trusted. Chosen: the
 /// error that remains is smaller by about as much; fits of few values leave little even where light peaks between them.
-pub(crate) const BENT: f64 = 3.0;
+const BENT: f64 = 3.0;
+
+/// Reach R of a value in a fit, in steps of the lattice that the values stand on. Chosen.
+const REACH: f64 = 2.0;
+
+/// The weight of a value that is `apart` from the place of a fit, along both directions of a lattice (its steps).
+pub(crate) fn weight(apart: [f64; 2]) -> f64 {
+    let square = apart[0].powi(2) + apart[1].powi(2);
+    (1.0 - square / (REACH * REACH)).max(0.0).powi(2)
+}
 
 /// Values around a place.
 #[derive(Clone, Debug)]
@@ -58,6 +67,18 @@ pub(crate) struct FitResult {
     /// Difference from polynomials of one degree less, the sum over the bands: at the place from the
     /// fit of degree 1, or the root mean square of what that of degree 0 leaves.
     pub bend: f64,
+}
+
+impl FitResult {
+    /// Light that the fit leaves, or that polynomials of one degree less differ by, beside the values' own errors, the
+    /// sum over the bands; infinite where it amplifies errors.
+    pub(crate) fn left(&self) -> f64 {
+        if self.amplified > AMPLIFIED {
+            return f64::INFINITY;
+        }
+        let left = self.residual.max(self.bend / BENT);
+        (left * left - self.noise * self.noise).max(0.0).sqrt()
+    }
 }
 
 impl<'a> Fit<'a> {

@@ -11,6 +11,7 @@
 use radiosity_elements::Elements;
 
 use super::extent::Extent;
+use super::fit::weight;
 use super::open_part::{OpenPart, open_place};
 use crate::pictures::eye::SeenPlace;
 
@@ -19,9 +20,6 @@ const FIRST: f64 = 1.0 / 16.0;
 
 /// Fewest first cells along a parameter of a curved surface, on which light varies with the normal. Chosen.
 const FEWEST_CURVED: usize = 4;
-
-/// Reach of a fit, in cells.
-const REACH: f64 = 2.0;
 
 /// A node of the lattices of a surface.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -112,11 +110,10 @@ impl Lattice {
         })
     }
 
-    /// The weight (1 − (r/R)²)² of a node at some parameters in the fit at others, r in cells of a level.
+    /// The weight of a node at some parameters in the fit at others, by the cells of a level.
     pub(super) fn weight(&self, own: [f64; 2], other: [f64; 2], level: u32) -> f64 {
         let (own, other) = (self.steps(own, level), self.steps(other, level));
-        let square = (own[0] - other[0]).powi(2) + (own[1] - other[1]).powi(2);
-        (1.0 - square / (REACH * REACH)).max(0.0).powi(2)
+        weight([own[0] - other[0], own[1] - other[1]])
     }
 
     /// The place of a node; None where no open place is near.
