@@ -1,4 +1,4 @@
-"""A scene file of this project (JSON, one band) as a scene of Mitsuba 3.
+"""A scene file of this project (JSON, one band or three) as a scene of Mitsuba 3, by a variant of as many channels.
 
 Surfaces are diffuse and send light from their fronts; a back without `two_sided` is black and hides what is behind it, as
 `diffuse` of Mitsuba does without `twosided`. All surfaces of one pair of paints become one mesh, so that the lamps of one
@@ -141,39 +141,48 @@ def area(corners, faces):
     return numpy.linalg.norm(numpy.cross(b - a, c - a), axis=1).sum() / 2
 
 
-def number(value):
-    """A number, or that of the only band."""
-    if isinstance(value, list) and len(value) == 1:
-        value = value[0]
-    if not isinstance(value, (int, float)):
-        raise ValueError(f"{value} is not one number: scenes of one band without textures are known here")
-    return float(value)
+def values(scene, given):
+    """A value for each band, from one for all or a list."""
+    own = given if isinstance(given, list) else [given] * bands(scene)
+    if len(own) != bands(scene) or not all(isinstance(value, (int, float)) for value in own):
+        raise ValueError(f"{given} is not one number a band: scenes without textures are known here")
+    return tuple(map(float, own))
+
+
+def bands(scene):
+    """Number of bands: those that are named, or red, green and blue where any paint has three."""
+    if "bands" in scene:
+        return len(scene["bands"])
+    paints = [given for paint in scene["materials"].values() for given in paint.values() if isinstance(given, list)]
+    return max(map(len, paints), default=1)
 
 
 def paint(scene, name):
     material = scene["materials"][name]
     if set(material) - {"reflectance", "emission", "group"}:
         raise ValueError(f"the material {name} has {set(material)}, of which not all is known here")
-    return number(material["reflectance"]), number(material.get("emission", 0))
+    return values(scene, material["reflectance"]), values(scene, material.get("emission", 0))
 
 
 def surfaces(scene):
     """Meshes of all surfaces, with the reflectance of the front, that of the back or None, and the front's exitance."""
     if unknown := {"sky", "luminaires", "instances", "include", "motion"} & set(scene):
         raise ValueError(f"{unknown} is not known here")
+    nothing = values(scene, 0)
     for surface in scene["surfaces"]:
         [kind] = [key for key in surface if key not in KNOWN]
         front, own = paint(scene, surface["material"])
-        back, behind = None, 0.0
+        back, behind = None, nothing
         if surface.get("two_sided"):
             back, behind = paint(scene, surface.get("back_material", surface["material"]))
         meshes = [(placed(corners, surface.get("transform", {})), faces[:, ::-1] if surface.get("flip") else faces)
                   for corners, faces in pieces(kind, surface[kind])]
         if "flux" in surface:
-            own = number(surface["flux"]) / sum(area(*mesh) for mesh in meshes) / (1 if back is None else 2)
-            behind = own if back is not None else 0.0
+            whole = sum(area(*mesh) for mesh in meshes) * (1 if back is None else 2)
+            own = tuple(flux / whole for flux in values(scene, surface["flux"]))
+            behind = own if back is not None else nothing
         for corners, faces in meshes:
-            if behind == 0:
+            if behind == nothing:
                 yield corners, faces, (front, back, own)
                 continue
             a, b, c = corners[faces[0]]
@@ -182,8 +191,13 @@ def surfaces(scene):
             yield corners - step, faces[:, ::-1], (back, None, behind)
 
 
+def spectrum(values):
+    """The values of one band, or of three as those of red, green and blue."""
+    return {"type": "uniform", "value": values[0]} if len(values) == 1 else {"type": "rgb", "value": list(values)}
+
+
 def diffuse(reflectance):
-    return {"type": "diffuse", "reflectance": {"type": "uniform", "value": reflectance}}
+    return {"type": "diffuse", "reflectance": spectrum(reflectance)}
 
 
 def joined(meshes):
@@ -217,9 +231,9 @@ def converted(file, folder):
         if back is not None:
             bsdf = {"type": "twosided", "front": bsdf, "back": diffuse(back)}
         shape = {"type": "ply", "filename": str(path), "face_normals": True, "bsdf": bsdf}
-        if own > 0:
+        if sum(own) > 0:
             # Emitters are chosen by their power.
-            shape["emitter"] = {"type": "area", "radiance": {"type": "uniform", "value": own / math.pi},
-                                "sampling_weight": own * area(corners, faces)}
+            shape["emitter"] = {"type": "area", "radiance": spectrum([value / math.pi for value in own]),
+                                "sampling_weight": sum(own) * area(corners, faces)}
         scene[f"mesh{count}"] = shape
     return scene
