@@ -189,7 +189,7 @@ fn documents_programs(text: &str) -> bool {
     let documents = lines.filter_map(|line| line.strip_prefix("//!").or(line.strip_prefix("///")));
     let fences = documents.filter_map(|line| line.trim_start().strip_prefix("```"));
     // Every other one ends what the one before begins.
-    fences.step_by(2).any(|language| language != "text")
+    fences.step_by(2).any(|language| !["text", "toml"].contains(&language))
 }
 
 /// Manifests leave out the tests of targets that have none, which would be compiled and linked for nothing.
