@@ -183,6 +183,33 @@ fn public_nouns_are_public() {
     }
 }
 
+/// Whether documentation holds a program, which rustdoc would try.
+fn documents_programs(text: &str) -> bool {
+    let lines = text.lines().map(str::trim_start);
+    let documents = lines.filter_map(|line| line.strip_prefix("//!").or(line.strip_prefix("///")));
+    let fences = documents.filter_map(|line| line.trim_start().strip_prefix("```"));
+    // Every other one ends what the one before begins.
+    fences.step_by(2).any(|language| !["text", "toml"].contains(&language))
+}
+
+/// Manifests leave out the tests of targets that have none, which would be compiled and linked for nothing.
+#[test]
+fn tests_are_left_out_where_there_are_none() {
+    for folder in folders().into_iter().filter(|folder| folder.join("src").is_dir()) {
+        let (manifest, name) = (manifest(&folder), folder.display());
+        let bins = manifest.get("bin").and_then(toml::Value::as_array).into_iter().flatten();
+        let targets: Vec<&toml::Value> = manifest.get("lib").into_iter().chain(bins).collect();
+        let is_off = |key: &str| targets.iter().any(|target| target.get(key) == Some(&false.into()));
+        let text = sources(&folder.join("src"));
+        let has_tests = ["#[test]", "proptest! {"].iter().any(|mark| text.contains(mark));
+        assert!(!(is_off("test") && has_tests), "{name}: its manifest leaves tests out");
+        assert!(
+            !(is_off("doctest") && documents_programs(&text)),
+            "{name}: its manifest leaves programs out"
+        );
+    }
+}
+
 /// The texts of all sources in a folder, one after another.
 fn sources(folder: &Path) -> String {
     let entries = fs::read_dir(folder).expect("source folders can be listed");

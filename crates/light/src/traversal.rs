@@ -299,3 +299,36 @@ impl Pass<'_> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use radiosity_elements::{Discretization, Elements};
+    use radiosity_geom::shapes::{Disk, FULL_TURN};
+    use radiosity_scene::{Material, SceneBuilder};
+    use radiosity_visibility::Shadows;
+
+    use super::*;
+
+    /// Nothing is sent from the back of a disk, and nothing has to be divided to find that.
+    #[test]
+    fn cells_that_turn_their_backs_are_not_divided_for_their_errors() {
+        let mut builder = SceneBuilder::new("lamp", ["grey"]);
+        let glow = builder.material("glow", Material::new(vec![0.0], vec![1.0]).expect("a material"));
+        let disk = Disk::new(DVec3::ZERO, DVec3::Z, 1.0, 0.0, FULL_TURN).expect("a disk");
+        builder.surface("lamp", Arc::new(disk), &glow);
+        let scene = builder.build().expect("a scene");
+        let elements = Elements::new(&scene, &Discretization::uniform(0, 1)).expect("a disk has area");
+        let visibility = Visibility::new(&scene, Shadows::Auto, 1e-3);
+        let receiver = ReceiverPoint::free(DVec3::new(0.2, 0.1, -0.3), DVec3::Z);
+        let tree = Tree::uniform(&elements.list()[0], 1.0);
+        let occluders = Occluders::new(&visibility, [tree.sender()].into_iter(), &receiver.site());
+        let mut traversal = Traversal::new(&receiver, &visibility, &occluders);
+        let mut light = [0.0];
+        traversal.add(0, &tree, 0.0, &mut light);
+        assert_eq!(light, [0.0]);
+        // As many as are near, in the sense of the rules.
+        assert!(traversal.visited < 500, "{} cells", traversal.visited);
+    }
+}

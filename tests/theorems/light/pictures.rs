@@ -19,8 +19,8 @@ use radiosity_test_support::solved::outcome_of;
 /// Pixels across and down.
 const SIZE: usize = 256;
 
-/// One of so many pixels is compared: no divisor of [`SIZE`], and gathering takes a millisecond for each.
-const COMPARED: usize = 11;
+/// One of so many pixels is compared: no divisor of [`SIZE`], and gathering takes some milliseconds for each.
+const COMPARED: usize = 53;
 
 /// A place that a pixel sees, with what is read there.
 struct ReadPlace {

@@ -110,8 +110,16 @@ impl Traversal<'_> {
 
     /// Whether Lambert's formula holds for a cell: it is flat, or straight and its front is seen everywhere.
     pub(super) fn is_like_flat(&self, cell: &Cell) -> bool {
-        let faces = |tangent: &Plane| tangent.height(self.receiver.position) > 0.0;
-        cell.is_straight && cell.samples.iter().all(faces)
+        cell.is_straight && cell.samples.iter().all(|tangent| self.is_before(tangent))
+    }
+
+    /// Whether a curved cell turns its back to the receiver at all of its samples.
+    fn is_behind(&self, cell: &Cell) -> bool {
+        !cell.samples.iter().any(|tangent| self.is_before(tangent))
+    }
+
+    fn is_before(&self, tangent: &Plane) -> bool {
+        tangent.height(self.receiver.position) > 0.0
     }
 
     /// No blockers: the Gauss rule far away, Lambert's formula near by.
@@ -217,6 +225,9 @@ impl Traversal<'_> {
         if cell.bend < COSINE_OF_CELL || (width > NEAR && !pass.own) {
             return Estimate { weights, error: f64::INFINITY };
         }
+        if self.is_behind(cell) {
+            return Estimate { weights, error: 0.0 };
+        }
         let near = if width > NEAR { NEAR_OWN * stake } else { CURVED * whole * gauss_error(cell, width) };
         let form = near + self.border(cell) + self.misplaced(seen);
         if before.is_empty() {
@@ -277,7 +288,7 @@ impl Traversal<'_> {
         };
         let cosines = || cell.samples.iter().map(facing);
         let (low, high) = cosines().fold((f64::MAX, f64::MIN), |(low, high), c| (low.min(c), high.max(c)));
-        if high <= 0.0 || (low >= 0.0 && self.receiver.overlooks(&cell.hull)) {
+        if low >= 0.0 && self.receiver.overlooks(&cell.hull) {
             return 0.0;
         }
         let distance = self.distance(cell);
