@@ -9,7 +9,7 @@
 //!
 //! Own estimates that are too small are thereby made as large as what is found; what no walk can see, such as the
 //! last digits of a smooth enclosure, stays told by the method. A number at which the referee looked and which is
-//! off by more than chance errs by at least that difference.
+//! off by more than chance errs by at least what that leaves of the difference.
 //!
 //! Own estimates of light are parts of it: they tell nothing of a 0 that is printed where light is, and no factor
 //! makes that more. Of what they miss, (κ² − 1) o² in the mean square, half is therefore taken to be where they
@@ -230,6 +230,14 @@ mod tests {
         assert!(off.finds_more() && off.to_string().contains("off by 2 %"), "{off}");
         let enough = checked(&[1.02; 64], 0.03);
         assert!(enough.error_factor == 1.0 && !enough.finds_more(), "{enough:?}");
+    }
+
+    #[test]
+    fn a_number_that_may_be_off_by_chance_errs_by_what_that_leaves() {
+        let mut printed = [1.0; 64];
+        printed[5] = 1.0004;
+        let one = checked(&printed, 1e-6);
+        assert!((one.told_of_light(1e-6, Some(5)) - 1e-4).abs() < 1e-5, "{one:?}");
     }
 
     #[test]

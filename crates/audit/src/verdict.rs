@@ -132,16 +132,21 @@ impl Verdict {
         if weight == 0.0 { 0.0 } else { (Self::size(judged) / weight).sqrt() }
     }
 
-    /// The readings that are off by more than chance and a hundredth of the mean, with the root mean square over
-    /// their bands of what they are off by.
+    /// The readings that are off by more than chance, with the root mean square over their bands of what they are off
+    /// by at least: by all of the difference where that is a hundredth of the mean as well and as seldom as a finding
+    /// among all readings, elsewhere by what is beyond three standard errors.
     pub(crate) fn off(judged: &[Judged]) -> Vec<(usize, f64)> {
         let (pooled, mean) = (pooled_error(judged), (Self::size(judged) / judged.len().max(1) as f64).sqrt());
         let of = |(number, own): (usize, &Judged)| {
             let pairs = || own.printed.iter().zip(&own.estimate.bands);
             let is_off =
                 |(printed, found): (&f64, &Mean)| is_outlier(*printed, found, pooled, mean, judged.len());
-            let squares: f64 = pairs().map(|(printed, found)| (printed - found.value).powi(2)).sum();
-            pairs().any(is_off).then(|| (number, (squares / own.printed.len() as f64).sqrt()))
+            let chance = if pairs().any(is_off) { 0.0 } else { FINDING };
+            let beyond = |(printed, found): (&f64, &Mean)| {
+                ((printed - found.value).abs() - chance * found.error.max(pooled)).max(0.0)
+            };
+            let squares: f64 = pairs().map(|pair| beyond(pair).powi(2)).sum();
+            (squares > 0.0).then(|| (number, (squares / own.printed.len() as f64).sqrt()))
         };
         judged.iter().enumerate().filter_map(of).collect()
     }

@@ -89,7 +89,17 @@ impl Lamps {
 
     /// The shares of all emitters in the rays from a point.
     pub fn seen_from(&self, receiver: &ReceiverPoint) -> Shares<'_> {
-        let mut shares: Vec<f64> = self.list.iter().map(|lamp| lamp.bound(receiver)).collect();
+        self.seen_where(receiver, |_, _| true)
+    }
+
+    /// The shares of emitters in the rays from a point, of those whose brightness and form factor, if nothing hides
+    /// them, `are_wanted`.
+    pub fn seen_where(&self, receiver: &ReceiverPoint, are_wanted: impl Fn(f64, f64) -> bool) -> Shares<'_> {
+        let share = |lamp: &Lamp| {
+            let bound = lamp.bound(receiver);
+            if are_wanted(lamp.brightness, bound / lamp.brightness) { bound } else { 0.0 }
+        };
+        let mut shares: Vec<f64> = self.list.iter().map(share).collect();
         let all: f64 = shares.iter().sum();
         if all > 0.0 {
             shares.iter_mut().for_each(|share| *share /= all);

@@ -11,12 +11,12 @@
 use radiosity_elements::Element;
 use radiosity_elements::sampling::lambert::lambert;
 use radiosity_elements::sampling::shift::number_of;
-use radiosity_light::lamps::{Lamps, Target};
+use radiosity_light::lamps::Target;
 use radiosity_light::receiver_point::ReceiverPoint;
 use radiosity_visibility::Visibility;
 
 use crate::gather::bends::{Part, SentLight, bends};
-use crate::gather::glow::glowing;
+use crate::gather::glow::Glow;
 use crate::gather::sent_rays::{AimedRays, LampLight, Met, RayMix, SentRays};
 use crate::gather::walked_light::Draws;
 use crate::solution::{Solution, SurfacePlace};
@@ -33,8 +33,8 @@ pub(super) struct MetLight<'a> {
     /// Light that surfaces reflect.
     pub(super) sent: &'a Solution,
     pub(super) rays: SentRays<'a>,
-    /// Elements that reflect much more than most (`super::glow`).
-    pub(super) glowing: Lamps,
+    /// Elements that reflect more than most.
+    pub(super) glow: Glow,
     /// Mean radiosity per band (W m⁻²).
     pub(super) scale: Vec<f64>,
     /// Mean irradiance per band of all surfaces (W m⁻²).
@@ -102,7 +102,7 @@ impl<'a> MetLight<'a> {
             solution,
             sent: solution.sent(),
             rays: SentRays::among(solution.elements(), &solution.emitters(), visibility, &scale),
-            glowing: glowing(solution, &usual),
+            glow: Glow::of(solution, &usual),
             bends: bends(solution, &usual, SentLight::All, Part::Highest),
             scale,
             usual,

@@ -33,7 +33,7 @@ use crate::solution::Solution;
 /// Cosine-distributed rays of each sequence before the error is first looked at; in pictures, where readings
 /// beside each other are averaged. Half of the former took errors of 2 % for 1 % at bright points of a
 /// classroom.
-const FIRST: u64 = 64;
+pub(super) const FIRST: u64 = 64;
 const FIRST_OF_MANY: u64 = 32;
 
 /// [`FIRST`] of walks. Chosen: a few of them bring much of the light, and without any the error looks small. As many

@@ -52,7 +52,7 @@ pub(super) struct ReceiverRays<'s> {
     onward: Onward,
     /// Emitters as targets; None where their light is known.
     lamps: Option<Shares<'s>>,
-    /// Elements that glow as targets.
+    /// Elements that glow for it, as targets.
     glowing: Shares<'s>,
     /// Light of the luminaires at a point (W m⁻² per band); None over patches, and where it is known.
     lit: Option<Vec<f64>>,
@@ -69,7 +69,7 @@ struct Start {
 impl<'s> ReceiverRays<'s> {
     /// Rays that find the reflected light of a receiver, `onward` from what they meet.
     pub(super) fn reflected(light: &'s MetLight<'s>, origin: &'s Receiver, onward: Onward) -> Self {
-        let glowing = light.glowing.seen_from(&origin.middle());
+        let glowing = light.glow.seen_from(&origin.middle());
         Self { light, origin, onward, lamps: None, glowing, lit: None }
     }
 
