@@ -49,8 +49,9 @@ const STEEPEST: f64 = 0.2;
 /// Part of the area of a flat surface by which its convex outline may differ. Chosen: chords differ by 1e-5.
 const ALIKE: f64 = 1e-4;
 
-/// Angle (rad) by which normals and edges turn over the quads of a rough outline: twice that of silhouette meshes, so that
-/// it errs sixteen times as much. TODO Measured.
+/// Angle h (rad) by which normals and edges turn over the quads of a rough outline: twice that of silhouette meshes. Two
+/// chords for a parabola for an arc of the angle h leave h⁴/180 of a round outline: 1.4e-4, a fortieth of the error that
+/// pictures allow direct light.
 const ROUGH: f64 = 0.4;
 
 /// A side of an outline: two points.
@@ -84,7 +85,7 @@ impl<'a> AreaLight<'a> {
         Self::outlined(visibility, surface, |mesh| quads(mesh))
     }
 
-    /// As [`AreaLight::new`], with an outline that errs by about 5e-5 of the light and takes half as long.
+    /// As [`AreaLight::new`], with an outline that errs by about 1e-4 of the light, and of half as many sides.
     pub(crate) fn rough(visibility: &'a Visibility, surface: usize) -> Option<Self> {
         Self::outlined(visibility, surface, |_| quads(&visibility.mesh_turning(surface, ROUGH)))
     }

@@ -38,6 +38,9 @@ const THREADS: f64 = 2.0;
 /// Relative accuracy of recomputed light in previews. Chosen: light by a draft's polynomials errs by as much.
 pub const ACCURACY_OF_PREVIEWS: f64 = 3e-2;
 
+/// Pixels from which on it is told how long a picture takes. Chosen: the forecast itself computes light at some hundred.
+const FORECAST_FROM: usize = 1 << 14;
+
 /// Pixels that are worked on at once; rows of more before and after them, that neighbours agree: a pixel is
 /// compared with the one beside it, and direct light with that two pixels away. The former is chosen.
 const AT_ONCE: usize = 1 << 20;
@@ -85,7 +88,9 @@ fn taken(
     let eye = Eye { elements: solution.elements(), visibility, diagonal: visibility.bounds().diagonal() };
     let [width, height] = [camera.width as usize, camera.height as usize];
     let shot = Shot { light, eye: &eye, view: Pinhole::new(camera), size: [width, height], samples, work };
-    work.report(Progress::Expected { stage: Stage::Picture, seconds: shot.seconds() });
+    if width * height >= FORECAST_FROM {
+        work.report(Progress::Expected { stage: Stage::Picture, seconds: shot.seconds() });
+    }
     let at_once = (AT_ONCE / width).max(1);
     let done = PixelCount::new(width * height, Stage::Picture, work);
     let strips = (0..height).step_by(at_once).map(|first| first..(first + at_once).min(height));
