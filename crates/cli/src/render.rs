@@ -77,7 +77,7 @@ pub(crate) struct RenderArgs {
     #[arg(long, conflicts_with_all = ["read", "show", "difference"])]
     pub(crate) importance: bool,
 
-    /// A picture within about a second, to look around: a draft of few pixels, with light from lamps recomputed at
+    /// A picture within a second or two, to look around: a draft of few pixels, with light from lamps recomputed at
     /// these and all other light as polynomials: as --quality quick --read direct --samples 1; single options go before
     /// it. Its error is told as that of any picture
     #[arg(long, conflicts_with_all = ["importance", "accuracy"])]
