@@ -290,7 +290,7 @@ impl Light {
         observer: Option<Bound<'_, PyAny>>,
     ) -> PyResult<Bound<'py, PyArrayDyn<f64>>> {
         let shot = Shot::of(camera, given, self.found.scene(), &self.options, &self.method)?;
-        let read = shot.read(self.found.solution(), self.found.visibility());
+        let read = shot.read();
         let (raster, checked) =
             self.read(py, observer.as_ref(), shot.threads, |progress| self.shot(&shot, read, progress))?;
         checked::warn_of(py, checked.as_ref(), read)?;

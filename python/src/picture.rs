@@ -4,10 +4,10 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use radiosity::geom::DVec3;
 use radiosity::reading::pictures::raster::Raster;
-use radiosity::reading::pictures::render::{render, usual_read};
+use radiosity::reading::pictures::render::render;
 use radiosity::reading::quantity::Quantity;
 use radiosity::reading::reader::ReadMode;
-use radiosity::request::picture::{SAMPLES, pixels, require_pixels, sized};
+use radiosity::request::picture::{SAMPLES, require_pixels, sized};
 use radiosity::request::view::View;
 use radiosity::request::{CheckRequest, MethodRequest, check_aim, ranges};
 use radiosity::scene::{Camera, Scene};
@@ -88,8 +88,8 @@ impl Shot {
     }
 
     /// Source of the light that the picture shows.
-    pub(crate) fn read(&self, light: &Light, visibility: &Visibility) -> ReadMode {
-        self.read.unwrap_or_else(|| usual_read(light, visibility, pixels(&self.camera)))
+    pub(crate) fn read(&self) -> ReadMode {
+        self.read.unwrap_or(ReadMode::Gather)
     }
 
     /// Takes the picture of light that is read so.

@@ -43,6 +43,26 @@ fn radiosities_of_the_furnace_are_two_in_the_file() {
     }
 }
 
+/// B = 1 / (1 − ½) in the furnace; a draft is good to a few parts in a hundred.
+#[test]
+fn previews_say_what_they_are_and_take_few_pixels_unless_told() {
+    let folder = tempfile::tempdir().unwrap();
+    for (size, expected) in [(&["--size", "40x30"][..], [40, 30]), (&[], [111, 111])] {
+        let asked = ["render", "furnace-cube", "--preview", "-o", "p.exr"];
+        let [_, told] = done(folder.path(), &[&asked[..], size].concat());
+        assert!(told.contains("a preview: light from lamps recomputed"), "{told}");
+        let file = BufReader::new(File::open(folder.path().join("p.exr")).unwrap());
+        let raster = read_exr(file, &["grey".to_owned()]).expect("it is ours");
+        assert_eq!(raster.size(), expected);
+        let farthest = raster.field(None).seen().map(|found| (found - 2.0).abs()).fold(0.0, f64::max);
+        assert!(farthest < 0.1, "{farthest}");
+    }
+    let [_, told] = done(folder.path(), &["render", "cornell-box", "--preview", "--audit", "0.1"]);
+    assert!(told.contains("checked at"), "{told}");
+    let output = radiosity(folder.path(), &["render", "furnace-cube", "--preview", "--importance"]);
+    assert_eq!(output.status.code(), Some(2));
+}
+
 #[test]
 fn a_picture_does_not_differ_from_itself() {
     let folder = tempfile::tempdir().unwrap();

@@ -146,6 +146,9 @@ impl Cli {
         let mut cli = Self::from_arg_matches(&matches)?;
         cli.fixing = matches.subcommand().map(|(_, typed)| fixing(typed)).unwrap_or_default();
         cli.given = TypedOptions::of(&command, &matches);
+        if let Verb::Render(args) = &mut cli.verb {
+            args.set_preview();
+        }
         Ok(cli)
     }
 

@@ -79,6 +79,8 @@ struct Cells {
 #[derive(Debug)]
 struct SurfaceCut {
     shape: Arc<dyn Surface>,
+    /// Diagonal of its bounding box (scene length).
+    extent: f64,
     cells: Tree<Option<usize>>,
     /// Elements of the covered parts, ascending.
     covered: Vec<usize>,
@@ -174,7 +176,8 @@ impl Elements {
             }
             let places =
                 Bvh::build(&covered.iter().map(|index| around_cover(&list[*index])).collect::<Vec<_>>());
-            surfaces.push(SurfaceCut { shape: Arc::clone(&shape), cells: elements, covered, places });
+            let extent = shape.bounds(&Rect::FULL).diagonal();
+            surfaces.push(SurfaceCut { shape: Arc::clone(&shape), extent, cells: elements, covered, places });
         }
         Ok(Self { list, surfaces, how: *how, cells })
     }
@@ -196,7 +199,8 @@ impl Elements {
         let place = |element: &Option<usize>| element.map(|element| element - own.start + start);
         let cells = cut.cells.map::<_, ElementError>(&Rect::FULL, &mut |_, element| Ok(place(element)));
         let cells = cells.expect("nothing can fail");
-        Some(SurfaceCut { shape: Arc::clone(shape), cells, covered: Vec::new(), places: Bvh::build(&[]) })
+        let (covered, places) = (Vec::new(), Bvh::build(&[]));
+        Some(SurfaceCut { shape: Arc::clone(shape), extent: cut.extent, cells, covered, places })
     }
 
     /// The mesh, if it is another than follows from the discretization.
@@ -266,6 +270,11 @@ impl Elements {
     /// Number of surfaces, those without elements included.
     pub fn surfaces(&self) -> usize {
         self.surfaces.len()
+    }
+
+    /// Diagonal of the bounding box of a surface (scene length).
+    pub fn extent(&self, surface: usize) -> f64 {
+        self.surfaces[surface].extent
     }
 
     /// The shape of a surface.

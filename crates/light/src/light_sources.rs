@@ -220,7 +220,7 @@ fn whole_form<'a>(elements: &[&Element], visibility: &'a Visibility) -> Option<(
             let plane = Plane { point: corners[0], normal };
             Some((Form::Polygons(vec![corners]), Some(plane)))
         }
-        None => Some((Form::Outline(AreaLight::new(visibility, surface)?), None)),
+        None => Some((Form::Outline(AreaLight::rough(visibility, surface)?), None)),
     }
 }
 

@@ -195,7 +195,10 @@ impl Visibility {
         let own = &self.obstacles[surface];
         let all =
             || (0..self.obstacles.len()).filter(|index| own.encloses(&self.obstacles[*index])).collect();
-        own.pieces.is_none() && own.enclosed.get_or_init(all).binary_search(&other).is_ok()
+        // All are looked for once it may hold one that is asked for: most hold none of these.
+        own.pieces.is_none()
+            && (own.enclosed.get().is_some() || own.may_enclose(&self.obstacles[other]))
+            && own.enclosed.get_or_init(all).binary_search(&other).is_ok()
     }
 
     /// Whether a surface lies on the boundary of a convex solid that points belong to.
@@ -400,6 +403,11 @@ impl Visibility {
     pub fn silhouette_mesh(&self, surface: usize) -> &SilhouetteMesh {
         let Obstacle { shape, mesh, .. } = &self.obstacles[surface];
         mesh.get_or_init(|| SilhouetteMesh::new(shape))
+    }
+
+    /// Another mesh of a surface, over each of whose quads it turns by about the angle `turn` (rad).
+    pub fn mesh_turning(&self, surface: usize, turn: f64) -> SilhouetteMesh {
+        SilhouetteMesh::turning(&self.obstacles[surface].shape, turn)
     }
 
     /// Whether any surface may stand between any two others.

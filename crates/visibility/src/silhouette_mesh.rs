@@ -106,8 +106,13 @@ pub struct Ground {
 impl SilhouetteMesh {
     /// The mesh of a surface.
     pub(crate) fn new(shape: &Arc<dyn Surface>) -> Self {
+        Self::turning(shape, TURN)
+    }
+
+    /// The mesh of a surface over each of whose quads normals and edges turn by about the angle `turn` (rad).
+    pub(crate) fn turning(shape: &Arc<dyn Surface>, turn: f64) -> Self {
         let mut mesh = Self { shape: Arc::clone(shape), nodes: Vec::new() };
-        let counts = [false, true].map(|transposed| quads_along(shape.as_ref(), transposed));
+        let counts = [false, true].map(|transposed| quads_along(shape.as_ref(), transposed, turn));
         mesh.grow([0, counts[0]], [0, counts[1]], counts);
         mesh
     }
@@ -270,8 +275,8 @@ impl Quad {
     }
 }
 
-/// Number of quads that a surface needs along u, or along v if `transposed`.
-fn quads_along(shape: &dyn Surface, transposed: bool) -> usize {
+/// Number of quads that turn by `turn` (rad) that a surface needs along u, or along v if `transposed`.
+fn quads_along(shape: &dyn Surface, transposed: bool, turn: f64) -> usize {
     let at = |k: usize| 2.0 * (k as f64 + 0.5) / LOOKS as f64 - 1.0;
     let mut sharpest = 0.0f64;
     for other in 0..LOOKS {
@@ -288,5 +293,5 @@ fn quads_along(shape: &dyn Surface, transposed: bool) -> usize {
             last = Some(here);
         }
     }
-    ((sharpest * LOOKS as f64 / TURN - 1e-9).ceil() as usize).clamp(1, MOST)
+    ((sharpest * LOOKS as f64 / turn - 1e-9).ceil() as usize).clamp(1, MOST)
 }

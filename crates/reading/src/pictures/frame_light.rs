@@ -22,6 +22,8 @@ pub(crate) struct FrameLight<'a> {
     bands: usize,
     /// Irradiance (W m⁻²) place by place, bands fastest; 0 where nothing is seen.
     irradiance: Vec<f64>,
+    /// The part of it that is no direct light.
+    other: Vec<f64>,
 }
 
 impl<'a> FrameLight<'a> {
@@ -34,11 +36,12 @@ impl<'a> FrameLight<'a> {
     ) -> Self {
         let direct = lit(frame, light, work);
         let bands = light.solution().bands().len();
-        let mut irradiance = other_light(&asked(frame, &direct), light, field, work);
+        let other = other_light(&asked(frame, &direct), light, field, work);
+        let mut irradiance = other.clone();
         for (sums, direct) in irradiance.chunks_exact_mut(bands).zip(direct) {
             sums.iter_mut().zip(direct).for_each(|(sum, direct)| *sum += direct);
         }
-        Self { frame, bands, irradiance }
+        Self { frame, bands, irradiance, other }
     }
 
     /// The places.
@@ -50,20 +53,43 @@ impl<'a> FrameLight<'a> {
     /// fit to those beside on the same smooth surface; None where there are few, or the fit leaves more than the part
     /// `even`.
     pub(crate) fn beside(&self, at: [f64; 2], seen: &SeenPlace, even: f64) -> Option<Vec<f64>> {
+        self.fitted(&self.irradiance, at, seen, 0.0, even)
+    }
+
+    /// As [`FrameLight::beside`] the light that is no direct light; None where the fit leaves more than the part `even`
+    /// of it and the `direct` light there (W m⁻², the sum over the bands).
+    pub(crate) fn other_beside(
+        &self,
+        at: [f64; 2],
+        seen: &SeenPlace,
+        direct: f64,
+        even: f64,
+    ) -> Option<Vec<f64>> {
+        self.fitted(&self.other, at, seen, direct, even)
+    }
+
+    /// A fit at a point to the `values` of places beside it that leaves at most the part `even` of itself and so much
+    /// more light (W m⁻²).
+    fn fitted(
+        &self,
+        values: &[f64],
+        at: [f64; 2],
+        seen: &SeenPlace,
+        more: f64,
+        even: f64,
+    ) -> Option<Vec<f64>> {
         let mut fit = Fit::new();
         let [column, row] = at.map(|at| at.floor() as isize);
         for (i, j) in (-2..=2).flat_map(|j| (-2..=2).map(move |i| (column + i, row + j))) {
             let Some(pixel) = self.frame.pixel([i, j]) else { continue };
             let Some(there) = self.frame.seen(pixel).filter(|there| seen.goes_with(there)) else { continue };
             let weight = weight([at[0] - i as f64 - 0.5, at[1] - j as f64 - 0.5]);
-            if let Some(irradiance) = self.irradiance(pixel)
-                && weight > 0.0
-            {
-                fit.take(offset(seen, there), weight, irradiance, 0.0);
+            if weight > 0.0 {
+                fit.take(offset(seen, there), weight, &values[pixel * self.bands..][..self.bands], 0.0);
             }
         }
         let found = fit.found()?;
-        let all: f64 = found.value.iter().sum();
+        let all = more + found.value.iter().sum::<f64>();
         (found.left() <= even * all).then(|| fit.within(found.value))
     }
 

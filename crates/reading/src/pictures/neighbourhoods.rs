@@ -16,6 +16,9 @@ const SIDES: [usize; 2] = [32, 8];
 /// Places at least that share a list. Chosen: a list takes as long as some dozen of them without.
 const FEWEST: usize = 16;
 
+/// Places at least for which a list is narrowed. Chosen: that takes as long as some places with the wider list.
+const FEWEST_NARROWED: usize = 4;
+
 /// Lists of what may stand before emitters, for the places of a picture.
 pub(crate) struct Neighbourhoods {
     /// Index into the lists of each place that has one.
@@ -45,7 +48,10 @@ impl Neighbourhoods {
                 let small = groups(group.iter().copied(), SIDES[1]).into_iter();
                 let narrowed = |group: Vec<(usize, [usize; 2], &SeenPlace)>| {
                     let site = SiteHull::of(light, &group);
-                    let own = penumbra.narrowed(&around, &site.site());
+                    let own = match group.len() < FEWEST_NARROWED {
+                        true => around.clone(),
+                        false => penumbra.narrowed(&around, &site.site()),
+                    };
                     (own, group.into_iter().map(|(place, ..)| place).collect())
                 };
                 small.map(narrowed).collect()

@@ -47,6 +47,8 @@ struct Sample {
 struct SamplePlace {
     /// Column and row of its pixel in the frame.
     pixel: [usize; 2],
+    /// Its own place in the frame.
+    at: [f64; 2],
     seen: SeenPlace,
 }
 
@@ -195,11 +197,11 @@ impl Shot<'_> {
         let places: Vec<SamplePlace> = open
             .iter()
             .filter_map(|index| {
-                let pixel = frame.place(samples[*index].pixel);
-                Some(SamplePlace { pixel, seen: seen[*index]? })
+                let (pixel, at) = (frame.place(samples[*index].pixel), self.point(frame, samples[*index]));
+                Some(SamplePlace { pixel, at, seen: seen[*index]? })
             })
             .collect();
-        for (index, light) in open.into_iter().zip(self.computed(&places, field)) {
+        for (index, light) in open.into_iter().zip(self.computed(lit, &places, field)) {
             irradiance[index] = Some(light);
         }
         let shown = |index: usize| {
@@ -211,34 +213,47 @@ impl Shot<'_> {
         ranks.map_even(PartName::Pixels, samples.len(), TOGETHER, shown)
     }
 
-    /// Irradiance per band (W m⁻²) at the places of samples.
-    fn computed(&self, places: &[SamplePlace], field: Option<&mut LightField>) -> Vec<Vec<f64>> {
+    /// Irradiance per band (W m⁻²) at the places of samples: direct light is computed, other light only where it is not
+    /// even about them.
+    fn computed(
+        &self,
+        lit: &FrameLight,
+        places: &[SamplePlace],
+        field: Option<&mut LightField>,
+    ) -> Vec<Vec<f64>> {
         let neighbourhoods = Neighbourhoods::of(self.light, places.len(), |index| {
-            let SamplePlace { pixel, seen } = &places[index];
+            let SamplePlace { pixel, seen, .. } = &places[index];
             Some((*pixel, seen))
         });
+        let ranks = self.work.ranks;
         let direct = |index: usize| {
             self.light.direct(&places[index].seen, neighbourhoods.around(index), ONE_OF_SEVERAL).bands
         };
         let mut irradiance: Vec<Vec<f64>> =
-            self.work.ranks.map_even(PartName::MoreDirectLight, places.len(), TOGETHER, direct);
-        let rest = other_light(&self.asked(places, &irradiance), self.light, field, self.work);
+            ranks.map_even(PartName::MoreDirectLight, places.len(), TOGETHER, direct);
+        let beside = |index: usize| {
+            let SamplePlace { at, seen, .. } = &places[index];
+            lit.other_beside(*at, seen, irradiance[index].iter().sum(), EVEN)
+        };
+        let even: Vec<Option<Vec<f64>>> =
+            ranks.map_even(PartName::SampleLight, places.len(), TOGETHER, beside);
+        let asked =
+            |index: usize| even[index].is_none().then(|| self.asked(&places[index], &irradiance[index]));
+        let asked: Vec<Option<AskedPlace>> = (0..places.len()).map(asked).collect();
+        let rest = other_light(&asked, self.light, field, self.work);
         let bands = self.light.solution().bands().len();
-        for (sums, rest) in irradiance.iter_mut().zip(rest.chunks_exact(bands)) {
+        for ((sums, even), rest) in irradiance.iter_mut().zip(&even).zip(rest.chunks_exact(bands)) {
+            let rest = even.as_deref().unwrap_or(rest);
             sums.iter_mut().zip(rest).for_each(|(sum, rest)| *sum += rest);
         }
         irradiance
     }
 
-    /// Samples as a light field is asked for them, beside their direct light.
-    fn asked(&self, places: &[SamplePlace], direct: &[Vec<f64>]) -> Vec<Option<AskedPlace>> {
-        let one = |(place, direct): (&SamplePlace, &Vec<f64>)| {
-            let footprint = self.view.footprint(place.seen.place.position);
-            let beside = direct.iter().sum();
-            let error_factor = ONE_OF_SEVERAL.error_factor;
-            Some(AskedPlace { seen: place.seen, footprint, beside, error_factor })
-        };
-        places.iter().zip(direct).map(one).collect()
+    /// A sample as a light field is asked for it, beside its direct light.
+    fn asked(&self, place: &SamplePlace, direct: &[f64]) -> AskedPlace {
+        let footprint = self.view.footprint(place.seen.place.position);
+        let beside = direct.iter().sum();
+        AskedPlace { seen: place.seen, footprint, beside, error_factor: ONE_OF_SEVERAL.error_factor }
     }
 }
 

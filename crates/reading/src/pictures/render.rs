@@ -35,6 +35,12 @@ const PATIENCE: f64 = 10.0;
 /// it. Chosen.
 const THREADS: f64 = 2.0;
 
+/// Relative accuracy of recomputed light in previews. Chosen: light by a draft's polynomials errs by as much.
+pub const ACCURACY_OF_PREVIEWS: f64 = 3e-2;
+
+/// Pixels from which on it is told how long a picture takes. Chosen: the forecast itself computes light at some hundred.
+const FORECAST_FROM: usize = 1 << 14;
+
 /// Pixels that are worked on at once; rows of more before and after them, that neighbours agree: a pixel is
 /// compared with the one beside it, and direct light with that two pixels away. The former is chosen.
 const AT_ONCE: usize = 1 << 20;
@@ -52,17 +58,43 @@ pub fn render(
     shown: Quantity,
     work: &Work<'_>,
 ) -> Raster {
-    let light =
-        PictureLight::new(solution, visibility, read, GATHERED_FOR_PICTURES).showing(shown, camera.eye);
+    let light = PictureLight::new(solution, visibility, read, GATHERED_FOR_PICTURES);
+    taken(&light.showing(shown, camera.eye), visibility, camera, samples, work)
+}
+
+/// As [`render`], to the relative accuracy [`ACCURACY_OF_PREVIEWS`]: in less time, to look around.
+pub fn preview(
+    solution: &Solution,
+    visibility: &Visibility,
+    camera: &Camera,
+    samples: u32,
+    read: ReadMode,
+    shown: Quantity,
+    work: &Work<'_>,
+) -> Raster {
+    let light = PictureLight::new(solution, visibility, read, ACCURACY_OF_PREVIEWS);
+    taken(&light.showing(shown, camera.eye), visibility, camera, samples, work)
+}
+
+/// The picture of this light through `camera`.
+fn taken(
+    light: &PictureLight,
+    visibility: &Visibility,
+    camera: &Camera,
+    samples: u32,
+    work: &Work<'_>,
+) -> Raster {
+    let solution = light.solution();
     let eye = Eye { elements: solution.elements(), visibility, diagonal: visibility.bounds().diagonal() };
     let [width, height] = [camera.width as usize, camera.height as usize];
-    let shot =
-        Shot { light: &light, eye: &eye, view: Pinhole::new(camera), size: [width, height], samples, work };
-    work.report(Progress::Expected { stage: Stage::Picture, seconds: shot.seconds() });
+    let shot = Shot { light, eye: &eye, view: Pinhole::new(camera), size: [width, height], samples, work };
+    if width * height >= FORECAST_FROM {
+        work.report(Progress::Expected { stage: Stage::Picture, seconds: shot.seconds() });
+    }
     let at_once = (AT_ONCE / width).max(1);
     let done = PixelCount::new(width * height, Stage::Picture, work);
     let strips = (0..height).step_by(at_once).map(|first| first..(first + at_once).min(height));
-    let mut field = light.gathers().then(|| LightField::new(&light, eye.diagonal));
+    let mut field = light.gathers().then(|| LightField::new(light, eye.diagonal));
     let mut pixels: Vec<Pixel> = strips.flat_map(|rows| strip(&shot, rows, field.as_mut(), &done)).collect();
     let bands = solution.bands().iter().map(|band| band.name.clone()).collect();
     let values = pixels.iter().flat_map(|pixel| &pixel.radiosity).copied().collect();

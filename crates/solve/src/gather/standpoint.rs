@@ -26,7 +26,7 @@ use radiosity_geom::{Aabb, DVec3, Jet, Surface, layer_order, touching};
 use radiosity_light::receiver_point::ReceiverPoint;
 use radiosity_visibility::Visibility;
 
-use crate::gather::surface_point::{INWARDS, OF_ITS_OWN, ON_SURFACE, SurfacePoint, extent};
+use crate::gather::surface_point::{INWARDS, OF_ITS_OWN, ON_SURFACE, SurfacePoint};
 
 /// Part of a face's diagonal up to which a sensor on another one belongs to it: some sixteen roundings of single
 /// precision, as a referee has it. With a larger value sensors under a sheet would get the light above it.
@@ -141,8 +141,7 @@ impl Touched {
 fn touched(elements: &Elements, visibility: &Visibility, x: DVec3) -> Vec<Touched> {
     let tolerance = ON_SURFACE * visibility.bounds().diagonal();
     let face = |surface: usize| {
-        let shape = elements.shape(surface);
-        let extent = extent(shape);
+        let (shape, extent) = (elements.shape(surface), elements.extent(surface));
         let (parameters, jet) = foot(shape, x);
         let is_near = jet.position.distance(x) <= tolerance.min(OF_ITS_OWN * extent);
         let face = || Touched { surface, parameters, foot: jet.position, normal: jet.normal, extent };

@@ -4,7 +4,7 @@
 //! away from these, or inwards.
 
 use radiosity_elements::Elements;
-use radiosity_geom::{DVec3, Rect, Surface, holds, overhang};
+use radiosity_geom::{DVec3, Surface, holds, overhang};
 use radiosity_light::receiver_point::ReceiverPoint;
 
 use crate::solution::SurfacePlace;
@@ -63,8 +63,8 @@ impl SurfacePoint {
         step: f64,
         away: DVec3,
     ) -> Option<Self> {
-        let shape = elements.shape(surface);
-        let step = step.min(INWARDS / ON_SURFACE * OF_ITS_OWN * extent(shape));
+        let (shape, extent) = (elements.shape(surface), elements.extent(surface));
+        let step = step.min(INWARDS / ON_SURFACE * OF_ITS_OWN * extent);
         let start = shape.jet(at[0], at[1]).position;
         let aside = start + step * away.normalize_or_zero();
         let is_free = shape.region().is_some_and(|region| region.contains(aside));
@@ -78,18 +78,13 @@ impl SurfacePoint {
                 let foot = shape.project(start.lerp(middle, share));
                 [foot.u, foot.v]
             }
-            None => at.map(|x| x * (1.0 - (step / extent(shape)).min(AT_MOST))),
+            None => at.map(|x| x * (1.0 - (step / extent).min(AT_MOST))),
         };
         let jet = shape.jet(parameters[0], parameters[1]);
         let element = elements.at(surface, parameters)?;
         let place = SurfacePlace { surface, parameters, position: jet.position };
         Some(Self { place, foot: at, element, normal: jet.normal })
     }
-}
-
-/// Diagonal of the bounding box of a surface (scene length).
-pub(super) fn extent(shape: &dyn Surface) -> f64 {
-    shape.bounds(&Rect::FULL).diagonal()
 }
 
 /// Middle of the convex piece of a planar surface that contains `x` or is nearest to it.

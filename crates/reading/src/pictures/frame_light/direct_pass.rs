@@ -25,7 +25,7 @@ use crate::pictures::picture_light::{DirectIrradiance, PictureLight};
 use crate::pictures::pixel_count::PixelCount;
 
 /// Pixels from one of the grid to the next. Chosen.
-const STEP: usize = 4;
+pub(super) const STEP: usize = 4;
 
 /// Error that a fit may leave, over that of light that is computed. Chosen: what it errs by is smaller.
 const FITTED: f64 = 0.5;
@@ -53,6 +53,8 @@ struct DirectPass<'a> {
     light: &'a PictureLight<'a>,
     neighbourhoods: Neighbourhoods,
     work: &'a Work<'a>,
+    /// Pixels that see anything and whose light is known.
+    known: PixelCount<'a>,
     pixels: Vec<PixelLight>,
 }
 
@@ -63,6 +65,7 @@ pub(crate) fn lit(frame: &Frame, light: &PictureLight, work: &Work<'_>) -> Vec<V
         pass.compute(&pass.grid(), true);
         pass.fit();
         pass.test();
+        pass.count_fitted();
     }
     let open: Vec<usize> = (0..frame.len()).filter(|pixel| pass.is_open(*pixel)).collect();
     pass.compute(&open, false);
@@ -74,7 +77,9 @@ impl<'a> DirectPass<'a> {
     fn new(frame: &'a Frame, light: &'a PictureLight<'a>, work: &'a Work<'a>) -> Self {
         let neighbourhoods =
             Neighbourhoods::of(light, frame.len(), |pixel| Some((frame.place(pixel), frame.seen(pixel)?)));
-        Self { frame, light, neighbourhoods, work, pixels: vec![PixelLight::Unknown; frame.len()] }
+        let sees = (0..frame.len()).filter(|pixel| frame.seen(*pixel).is_some()).count();
+        let known = PixelCount::new(sees, Stage::DirectPixels, work);
+        Self { frame, light, neighbourhoods, work, known, pixels: vec![PixelLight::Unknown; frame.len()] }
     }
 
     /// The pixels of the grid that see anything.
@@ -90,14 +95,16 @@ impl<'a> DirectPass<'a> {
     /// Computes the light of these pixels.
     fn compute(&mut self, pixels: &[usize], sure: bool) {
         let effort = RayEffort { error_factor: 1.0, sure };
-        let pixel_count = PixelCount::new(pixels.len(), Stage::DirectPixels, self.work);
         let part = if sure { PartName::MoreDirectLight } else { PartName::DirectLight };
         let computed: Vec<DirectIrradiance> =
             self.work.ranks.map_even(part, pixels.len(), TOGETHER, |index| {
                 let around = self.neighbourhoods.around(pixels[index]);
                 let direct = |seen: &SeenPlace| self.light.direct(seen, around, effort);
                 let lit = self.frame.seen(pixels[index]).map_or_else(DirectIrradiance::default, direct);
-                pixel_count.add();
+                // Others are computed anew.
+                if matches!(self.pixels[pixels[index]], PixelLight::Unknown) {
+                    self.known.add();
+                }
                 lit
             });
         for (pixel, lit) in pixels.iter().zip(computed) {
@@ -118,7 +125,6 @@ impl<'a> DirectPass<'a> {
     fn fitted(&self, pixel: usize) -> Option<Vec<f64>> {
         let seen = self.frame.seen(pixel)?;
         let mut fit = Fit::new();
-        let mut emitters = None;
         let at = self.frame.place(pixel);
         let first = at.map(|at| (at / STEP) as isize);
         for (i, j) in (-1..=2).flat_map(|j| (-1..=2).map(move |i| (first[0] + i, first[1] + j))) {
@@ -133,11 +139,6 @@ impl<'a> DirectPass<'a> {
             let weight = weight(apart(at, [i, j]));
             if weight == 0.0 {
                 continue;
-            }
-            if let Some(own @ VisibleEmitters::Sees(_)) = lit.visible
-                && *emitters.get_or_insert(own) != own
-            {
-                return None;
             }
             fit.take(offset(seen, there), weight, &lit.bands, lit.error);
         }
@@ -185,6 +186,12 @@ impl<'a> DirectPass<'a> {
 
     fn is_fitted(&self, pixel: usize) -> bool {
         matches!(self.pixels[pixel], PixelLight::Fitted(_))
+    }
+
+    /// Counts the pixels whose fits hold, and those that were computed to test fits.
+    fn count_fitted(&self) {
+        let known = self.pixels.iter().filter(|light| !matches!(light, PixelLight::Unknown)).count();
+        (self.grid().len()..known).for_each(|_| self.known.add());
     }
 
     /// Whether a fit errs by more than is allowed at a pixel that is computed.
