@@ -24,11 +24,10 @@ pub(crate) mod extent;
 pub(crate) mod open_part;
 pub(crate) mod fit;
 mod lattice;
+pub(crate) mod node_gatherer;
 
-use std::collections::{BTreeSet, HashMap};
+use std::collections::HashMap;
 
-use radiosity_elements::Elements;
-use radiosity_light::penumbra::RayEffort;
 use radiosity_work::ranks::PartName;
 use radiosity_work::{Stage, Work};
 use rayon::prelude::*;
@@ -38,7 +37,8 @@ use super::eye::SeenPlace;
 use super::picture_light::{ComputedLight, PictureLight};
 use super::pixel_count::PixelCount;
 use fit::{Fit, FitResult};
-use lattice::{Lattice, NodeIndex};
+use lattice::Lattice;
+use node_gatherer::{Node, NodeGatherer, NodeIndex};
 
 /// Fineness of a field.
 #[derive(Clone, Copy, Debug)]
@@ -66,9 +66,6 @@ const SMALL: f64 = 8.0;
 
 /// Places that one thread fits after each other. Chosen: they take some microseconds each.
 const TOGETHER: usize = 256;
-
-/// Rays for direct light at a node, which tells how accurate other light is to be. Chosen.
-const AT_NODES: RayEffort = RayEffort { error_factor: 3.0, sure: false };
 
 /// A place of which the light is asked for.
 #[derive(Clone, Copy, Debug)]
@@ -99,20 +96,18 @@ struct FittedLight {
     trust: f64,
 }
 
-/// A node of a lattice.
-#[derive(Clone, Debug, Serialize, Deserialize)]
-struct Node {
-    seen: SeenPlace,
-    light: ComputedLight,
+/// Who knows the light of nodes of one frame.
+pub(crate) trait NodeSource: Sync {
+    /// The nodes of these indices; None where no open place is near, and in narrow gaps.
+    fn nodes(&mut self, wanted: &[NodeIndex], work: &Work<'_>) -> Vec<Option<Node>>;
 }
 
 /// Reflected light on the surfaces of a scene, as far as it was asked for.
 pub(crate) struct LightField<'a> {
     light: &'a PictureLight<'a>,
-    elements: &'a Elements,
-    /// Diagonal of the scene's bounding box (scene length).
-    diagonal: f64,
-    lattices: HashMap<usize, Lattice>,
+    gatherer: NodeGatherer<'a>,
+    /// Who knows the light of nodes; None where all are gathered.
+    source: Option<&'a mut (dyn NodeSource + 'a)>,
     /// Nodes that were asked for; None where no open place is near, and in narrow gaps.
     nodes: HashMap<NodeIndex, Option<Node>>,
 }
@@ -120,8 +115,16 @@ pub(crate) struct LightField<'a> {
 impl<'a> LightField<'a> {
     /// The reflected light of `light` in a scene of this diagonal; none is computed.
     pub(crate) fn new(light: &'a PictureLight<'a>, diagonal: f64) -> Self {
-        let elements = light.solution().elements();
-        Self { light, elements, diagonal, lattices: HashMap::new(), nodes: HashMap::new() }
+        Self { light, gatherer: NodeGatherer::new(light, diagonal), source: None, nodes: HashMap::new() }
+    }
+
+    /// The reflected light of `light`, of which `source` knows the nodes in a scene of this diagonal.
+    pub(crate) fn known_by(
+        source: &'a mut (dyn NodeSource + 'a),
+        light: &'a PictureLight<'a>,
+        diagonal: f64,
+    ) -> Self {
+        Self { source: Some(source), ..Self::new(light, diagonal) }
     }
 
     /// Irradiance per band (W m⁻²) of all places, bands fastest; nodes that are computed are told.
@@ -135,7 +138,7 @@ impl<'a> LightField<'a> {
         }
         let mut open: Vec<OpenPlace> =
             outside.into_iter().map(|place| OpenPlace { place, share: 1.0 }).collect();
-        self.prepare(places.iter().flatten());
+        self.gatherer.prepare(places.iter().flatten().map(|asked| asked.seen.place.surface));
         let mut level = 0;
         while !open.is_empty() {
             let asked = |index: usize| places[open[index].place].as_ref();
@@ -177,21 +180,13 @@ impl<'a> LightField<'a> {
     ) -> Vec<Option<ComputedLight>> {
         let count = PixelCount::new(some.len(), Stage::GatheredPixels, work);
         let one = |index: usize| {
-            let light =
-                places[some[index]].as_ref().map(|asked| self.gathered(&asked.seen, asked.error_factor));
+            let light = places[some[index]]
+                .as_ref()
+                .map(|asked| self.gatherer.gathered(&asked.seen, asked.error_factor));
             count.add();
             light
         };
         work.ranks.map_even(PartName::GatheredLight, some.len(), 1, one)
-    }
-
-    /// Makes the lattices of the surfaces of these places.
-    fn prepare<'b>(&mut self, places: impl Iterator<Item = &'b AskedPlace>) {
-        let surfaces: BTreeSet<usize> = places.map(|asked| asked.seen.place.surface).collect();
-        for surface in surfaces {
-            let make = || Lattice::of(self.elements, surface, self.diagonal);
-            self.lattices.entry(surface).or_insert_with(make);
-        }
     }
 
     /// Computes the light of the nodes of a lattice about these places that is not known yet.
@@ -201,32 +196,15 @@ impl<'a> LightField<'a> {
         wanted.sort_unstable();
         wanted.dedup();
         wanted.retain(|node| !self.nodes.contains_key(node));
-        let count = PixelCount::new(wanted.len(), Stage::GatheredPixels, work);
-        let node = |place: usize| {
-            let node = self.node(wanted[place]);
-            count.add();
-            node
+        let computed = match &mut self.source {
+            Some(source) => source.nodes(&wanted, work),
+            None => self.gatherer.nodes(&wanted, work),
         };
-        let computed: Vec<Option<Node>> = work.ranks.map_even(PartName::GatheredLight, wanted.len(), 1, node);
         self.nodes.extend(wanted.into_iter().zip(computed));
     }
 
-    /// The light of a node; None where no open place is near, and in narrow gaps.
-    fn node(&self, node: NodeIndex) -> Option<Node> {
-        let seen = self.lattices[&node.surface].place(self.elements, node, self.diagonal)?;
-        if self.light.is_in_gap(&seen) {
-            return None;
-        }
-        Some(Node { seen, light: self.gathered(&seen, 1.0) })
-    }
-
-    /// The light of a place with `error_factor` times the usual error.
-    fn gathered(&self, seen: &SeenPlace, error_factor: f64) -> ComputedLight {
-        self.light.rest(seen, &self.light.direct(seen, None, AT_NODES).bands, error_factor)
-    }
-
     fn lattice(&self, asked: &AskedPlace) -> &Lattice {
-        &self.lattices[&asked.seen.place.surface]
+        self.gatherer.lattice(asked.seen.place.surface)
     }
 
     /// The light of a place by the nodes of a lattice around it; None where all of it is wanted from a finer one.
@@ -247,7 +225,7 @@ impl<'a> LightField<'a> {
                 Some(FittedLight { bands, trust: if is_last { 1.0 } else { trust } })
             }
             _ if is_last => {
-                let bands = self.gathered(&asked.seen, asked.error_factor).bands;
+                let bands = self.gatherer.gathered(&asked.seen, asked.error_factor).bands;
                 Some(FittedLight { bands, trust: 1.0 })
             }
             _ => None,
@@ -279,7 +257,7 @@ impl<'a> LightField<'a> {
         let mut fit = Fit::new();
         let seen = &asked.seen;
         for node in lattice.around(seen.place.parameters, level) {
-            let Some(Node { seen: there, light }) = self.known(&node) else { continue };
+            let Some(Node { seen: there, light, .. }) = self.known(&node) else { continue };
             let weight = lattice.weight(seen.place.parameters, there.place.parameters, level);
             if weight > 0.0 && seen.goes_with(there) {
                 fit.take(offset(seen, there), weight, &light.bands, light.error);
