@@ -1,8 +1,8 @@
 //! Pictures of frames that follow each other, with reflected light that they share.
 //!
-//! Frames are taken in stretches: all of a stretch are solved before the first picture. Light is gathered at the nodes
+//! Frames are taken in stretches: all of a stretch are solved before the first picture. Light is gathered at spots
 //! of the light field (`light_field`) in some frames of the stretch, and follows from these in others (`stretch`).
-//! Direct light and what cameras see are found in each frame. What is told of the error is measured: some nodes of
+//! Direct light and what cameras see are found in each frame. What is told of the error is measured: some spots of
 //! each frame are gathered although their light is interpolated.
 //!
 //! References: K. Myszkowski, P. Rokita, T. Tawara, *Perception-guided global illumination solution for animation
@@ -22,7 +22,8 @@ use radiosity_work::Work;
 
 use super::eye::Eye;
 use super::light_field::LightField;
-use super::light_field::node_gatherer::{Node, NodeGatherer, NodeIndex};
+use super::light_field::spot::Spot;
+use super::light_field::spot_gatherer::{SpotGatherer, SpotLight};
 use super::picture_light::{GATHERED_FOR_PICTURES, PictureLight};
 use super::raster::Raster;
 use super::render::taken;
@@ -35,7 +36,7 @@ use stretch::{Stretch, StretchFrame};
 
 /// Frames from the first of a stretch to its last, which is the first of the next one. Chosen: light is gathered in a
 /// quarter of them where it is smooth, and so many solutions are held.
-const STRETCH: usize = 16;
+const STRETCH: usize = 32;
 
 /// Part of the time of pictures alone that pictures of a film take.
 const SHARED: f64 = 0.5;
@@ -61,8 +62,8 @@ pub struct Film<'a> {
     samples: u32,
     /// Diagonal of the first frame's bounding box, by which the lattices of all are made (scene length).
     diagonal: Option<f64>,
-    /// Nodes that were gathered in the last frame, with its number.
-    last: Option<(usize, HashMap<NodeIndex, Option<Node>>)>,
+    /// Spots that were gathered in the last frame, with its number.
+    last: Option<(usize, HashMap<Spot, Option<SpotLight>>)>,
     error: FilmError,
 }
 
@@ -114,9 +115,9 @@ impl<'a> Film<'a> {
             let raster = taken(&shot, field.as_mut());
             take(frame, raster)?;
         }
-        let (error, nodes) = stretch.end();
+        let (error, spots) = stretch.end();
         self.error.add(&error);
-        self.last = frames.last().map(|frame| (frame.number, nodes));
+        self.last = frames.last().map(|frame| (frame.number, spots));
         Ok(())
     }
 
@@ -132,7 +133,7 @@ impl<'a> Film<'a> {
             .showing(Quantity::Radiosity, camera.eye)
     }
 
-    /// The nodes that frames share, with these lights.
+    /// The spots that frames share, with these lights.
     fn shared<'b>(
         &mut self,
         frames: &[FilmFrame],
@@ -141,9 +142,9 @@ impl<'a> Film<'a> {
     ) -> Stretch<'b> {
         let numbers: Vec<usize> = frames.iter().map(|frame| frame.number).collect();
         let elements: Vec<&Elements> = lights.iter().map(|light| light.solution().elements()).collect();
-        let gatherers = lights.iter().map(|light| NodeGatherer::new(light, diagonal)).collect();
+        let gatherers = lights.iter().map(|light| SpotGatherer::new(light, diagonal)).collect();
         let last = self.last.take().filter(|(number, _)| Some(number) == numbers.first());
-        let known = last.map(|(_, nodes)| nodes).unwrap_or_default();
+        let known = last.map(|(_, spots)| spots).unwrap_or_default();
         Stretch::new(gatherers, Movement::of(self.scene, &numbers, &elements), known)
     }
 }

@@ -22,6 +22,8 @@ pub(super) struct Movement {
     /// Mover of each surface that moves.
     movers: HashMap<usize, usize>,
     paths: Vec<SurfacePath>,
+    /// Whether the scene's camera moves.
+    moves_camera: bool,
 }
 
 /// The way of a surface through all frames.
@@ -46,8 +48,10 @@ impl Movement {
         for mover in (0..count).filter(|mover| is_moving(*mover)) {
             movers.extend(surfaces(animation, mover).map(|surface| (surface, mover)));
         }
+        let is_camera = |mover: usize| animation.is_some_and(|animation| animation.movers[mover].camera);
+        let moves_camera = (0..count).any(|mover| is_moving(mover) && is_camera(mover));
         let path = |(surface, mover): (&usize, &usize)| SurfacePath::of(*surface, *mover, frames);
-        Self { moves, paths: movers.iter().map(path).collect(), movers }
+        Self { moves, paths: movers.iter().map(path).collect(), movers, moves_camera }
     }
 
     /// Whether something moves in all steps of a span, or in none.
@@ -55,6 +59,11 @@ impl Movement {
         let mut steps = self.moves[span.first..span.last].iter();
         let first = steps.next();
         steps.all(|moves| Some(moves) == first)
+    }
+
+    /// Whether a surface rests, and so does the camera.
+    pub(super) fn is_seen_at_rest(&self, surface: usize) -> bool {
+        !self.moves_camera && !self.movers.contains_key(&surface)
     }
 
     /// Whether surfaces pass a place of another surface, which lies at `at` in these frames of a span, in small steps.

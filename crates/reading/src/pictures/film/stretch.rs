@@ -1,16 +1,17 @@
-//! Reflected light at the nodes of some frames that follow each other: gathered in some, interpolated in others.
+//! Reflected light at spots in some frames that follow each other: gathered in some, interpolated in others.
 //!
-//! A node of a surface, which moves with it, is known in five frames of a span where these predict each other,
+//! Spots are the nodes of the light field, which move with their surfaces, and the places at which light is gathered alone,
+//! where they are seen at rest. One is gathered in five frames of a span. Where these predict each other,
 //!
 //! ```text
 //! |f(t_k) − p_2(t_k)| ≤ τ √(E max(E, Ē)) + s ,     k = 1, 3 ,     p_2 through f(t_0), f(t_2), f(t_4) ,
 //! ```
 //!
-//! with s the deviation of gathered light, and in the others a polynomial of degree 4 gives it (`span`). Elsewhere the
-//! span is halved, until all of its frames are gathered: beside what moves (`movement`), where the polynomials of
-//! the solution, which are known in all frames, tell that light does something between the five, where the node is
-//! covered in one of them, and where some of the frames are at rest and others not. So frames at rest are alike to the
-//! bit.
+//! with all light E, its mean Ē in the scene and the deviation s of gathered light, a polynomial of degree 4 gives
+//! it in the other frames (`span`). Elsewhere the span is halved, until all of its frames are gathered: beside what
+//! moves (`movement`), where the polynomials of the solution, which are known in all frames, tell that light does
+//! something between the five, where the spot is covered in one of them, and where some of the frames are at rest and
+//! others not. So frames at rest are alike to the bit.
 
 use std::collections::HashMap;
 
@@ -22,8 +23,9 @@ use super::film_error::FilmError;
 use super::movement::Movement;
 use super::span::{EVEN, ODD, POINTS, Span, interpolated, weights};
 use crate::pictures::eye::SeenPlace;
-use crate::pictures::light_field::NodeSource;
-use crate::pictures::light_field::node_gatherer::{Node, NodeGatherer, NodeIndex};
+use crate::pictures::light_field::SpotSource;
+use crate::pictures::light_field::spot::Spot;
+use crate::pictures::light_field::spot_gatherer::{SpotGatherer, SpotLight};
 use crate::pictures::picture_light::ComputedLight;
 
 /// Most difference τ of light from its prediction. Chosen: as fits between nodes may leave.
@@ -33,38 +35,38 @@ const SMOOTH: f64 = 7e-3;
 /// change from frame to frame.
 const BUMP: f64 = 3e-2;
 
-/// Nodes of one that is gathered although it is interpolated, to tell the error. Chosen.
+/// Spots of which one is gathered although it is interpolated, to tell the error. Chosen.
 const TOLD_EACH: usize = 32;
 
-/// Most difference of the parameters of a node that stays in its place on a surface: roundings.
+/// Most difference of the parameters of a spot that stays in its place on a surface: roundings.
 const STAYS: f64 = 1e-6;
 
-/// Nodes of frames that follow each other.
+/// Spots in frames that follow each other.
 pub(super) struct Stretch<'a> {
-    gatherers: Vec<NodeGatherer<'a>>,
-    /// Nodes that were gathered, of each frame; None where they have no place.
-    known: Vec<HashMap<NodeIndex, Option<Node>>>,
+    gatherers: Vec<SpotGatherer<'a>>,
+    /// Spots that were gathered, of each frame; None where they have no place.
+    known: Vec<HashMap<Spot, Option<SpotLight>>>,
     movement: Movement,
-    /// Whether the light of a node may be interpolated over a span, as far as that was asked.
-    smooth: HashMap<NodeSpan, bool>,
+    /// Whether the light of a spot may be interpolated over a span, as far as that was asked.
+    smooth: HashMap<SpotSpan, bool>,
     error: FilmError,
 }
 
-/// A node in some frames.
+/// A spot in some frames.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-struct NodeSpan {
-    node: NodeIndex,
+struct SpotSpan {
+    spot: Spot,
     span: Span,
 }
 
-/// A node in one frame.
+/// A spot in one frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-struct NodeMoment {
+struct SpotMoment {
     frame: usize,
-    node: NodeIndex,
+    spot: Spot,
 }
 
-/// What the light of a node in a frame follows from.
+/// What the light of a spot in a frame follows from.
 #[derive(Clone, Copy, Debug)]
 enum Origin {
     /// It is gathered.
@@ -75,37 +77,37 @@ enum Origin {
 }
 
 impl<'a> Stretch<'a> {
-    /// The nodes of the frames of these gatherers, of which those of the first are known so far.
+    /// The spots of the frames of these gatherers, of which those of the first are known so far.
     pub(super) fn new(
-        gatherers: Vec<NodeGatherer<'a>>,
+        gatherers: Vec<SpotGatherer<'a>>,
         movement: Movement,
-        first: HashMap<NodeIndex, Option<Node>>,
+        first: HashMap<Spot, Option<SpotLight>>,
     ) -> Self {
         let mut known = vec![HashMap::new(); gatherers.len()];
         known[0] = first;
         Self { gatherers, known, movement, smooth: HashMap::new(), error: FilmError::default() }
     }
 
-    /// The error of what was interpolated, and the nodes that were gathered in the last frame.
-    pub(super) fn end(mut self) -> (FilmError, HashMap<NodeIndex, Option<Node>>) {
+    /// The error of what was interpolated, and the spots that were gathered in the last frame.
+    pub(super) fn end(mut self) -> (FilmError, HashMap<Spot, Option<SpotLight>>) {
         (self.error, self.known.pop().unwrap_or_default())
     }
 
-    /// The nodes of these indices in a frame.
-    fn nodes(&mut self, frame: usize, wanted: &[NodeIndex], work: &Work<'_>) -> Vec<Option<Node>> {
+    /// These spots in a frame.
+    fn spots(&mut self, frame: usize, wanted: &[Spot], work: &Work<'_>) -> Vec<Option<SpotLight>> {
         for gatherer in &mut self.gatherers {
-            gatherer.prepare(wanted.iter().map(|node| node.surface));
+            gatherer.prepare(wanted.iter().map(|spot| spot.surface()));
         }
         let origins = self.origins(frame, wanted, work);
         let is_gathered = |origin: &Origin| matches!(origin, Origin::Gathered);
         let alone = wanted.iter().zip(&origins).filter(|(_, origin)| is_gathered(origin));
-        self.gather(alone.map(|(node, _)| NodeMoment { frame, node: *node }).collect(), work);
-        let found: Vec<Option<Node>> = wanted
+        self.gather(alone.map(|(spot, _)| SpotMoment { frame, spot: *spot }).collect(), work);
+        let found: Vec<Option<SpotLight>> = wanted
             .par_iter()
             .zip(&origins)
-            .map(|(node, origin)| match origin {
-                Origin::Interpolated(span) => self.interpolated(*node, *span, frame),
-                Origin::Gathered | Origin::Open(_) => self.known[frame].get(node)?.clone(),
+            .map(|(spot, origin)| match origin {
+                Origin::Interpolated(span) => self.interpolated(*spot, *span, frame),
+                Origin::Gathered | Origin::Open(_) => self.known[frame].get(spot)?.clone(),
             })
             .collect();
         let own = || (0..wanted.len()).filter(|index| !is_gathered(&origins[*index]));
@@ -119,16 +121,16 @@ impl<'a> Stretch<'a> {
         found
     }
 
-    /// What the light of these nodes in a frame follows from.
-    fn origins(&mut self, frame: usize, wanted: &[NodeIndex], work: &Work<'_>) -> Vec<Origin> {
+    /// What the light of these spots in a frame follows from.
+    fn origins(&mut self, frame: usize, wanted: &[Spot], work: &Work<'_>) -> Vec<Origin> {
         let whole = Span { first: 0, last: self.gatherers.len() - 1 };
         let mut origins = vec![Origin::Open(whole); wanted.len()];
         loop {
-            let next: Vec<(Origin, Vec<NodeSpan>)> = wanted
+            let next: Vec<(Origin, Vec<SpotSpan>)> = wanted
                 .par_iter()
                 .zip(&origins)
-                .map(|(node, origin)| match origin {
-                    Origin::Open(span) => self.origin(*node, *span, frame),
+                .map(|(spot, origin)| match origin {
+                    Origin::Open(span) => self.origin(*spot, *span, frame),
                     known => (*known, Vec::new()),
                 })
                 .collect();
@@ -136,11 +138,11 @@ impl<'a> Stretch<'a> {
                 *own = origin;
                 self.smooth.extend(rough.into_iter().map(|span| (span, false)));
             }
-            let open: Vec<NodeSpan> = wanted
+            let open: Vec<SpotSpan> = wanted
                 .iter()
                 .zip(&origins)
-                .filter_map(|(node, origin)| match origin {
-                    Origin::Open(span) => Some(NodeSpan { node: *node, span: *span }),
+                .filter_map(|(spot, origin)| match origin {
+                    Origin::Open(span) => Some(SpotSpan { spot: *spot, span: *span }),
                     _ => None,
                 })
                 .collect();
@@ -151,27 +153,27 @@ impl<'a> Stretch<'a> {
         }
     }
 
-    /// What the light of a node in a frame follows from, as far as that is known without gathering more; and spans
+    /// What the light of a spot in a frame follows from, as far as that is known without gathering more; and spans
     /// over which it is not smooth.
-    fn origin(&self, node: NodeIndex, mut span: Span, frame: usize) -> (Origin, Vec<NodeSpan>) {
+    fn origin(&self, spot: Spot, mut span: Span, frame: usize) -> (Origin, Vec<SpotSpan>) {
         let mut rough = Vec::new();
         loop {
             let Some(points) = span.points().filter(|points| !points.contains(&frame)) else {
                 return (Origin::Gathered, rough);
             };
-            match self.smooth.get(&NodeSpan { node, span }) {
+            match self.smooth.get(&SpotSpan { spot, span }) {
                 Some(true) => return (Origin::Interpolated(span), rough),
-                None if self.may_be_smooth(node, span, points) => return (Origin::Open(span), rough),
-                None => rough.push(NodeSpan { node, span }),
+                None if self.may_be_smooth(spot, span, points) => return (Origin::Open(span), rough),
+                None => rough.push(SpotSpan { spot, span }),
                 Some(false) => {}
             }
             span = span.half(frame);
         }
     }
 
-    /// Whether nothing that is known without gathering light speaks against interpolating that of a node.
-    fn may_be_smooth(&self, node: NodeIndex, span: Span, points: [usize; POINTS]) -> bool {
-        let place = |frame: usize| self.gatherers[frame].place(node);
+    /// Whether nothing that is known without gathering light speaks against interpolating that of a spot.
+    fn may_be_smooth(&self, spot: Spot, span: Span, points: [usize; POINTS]) -> bool {
+        let place = |frame: usize| self.gatherers[frame].place(spot);
         let places: Option<Vec<SeenPlace>> = span.frames().map(place).collect();
         let Some(places) = places.filter(|_| self.movement.is_even(span)) else { return false };
         let stays = |one: &SeenPlace| {
@@ -180,7 +182,7 @@ impl<'a> Stretch<'a> {
         };
         let at: [DVec3; POINTS] = points.map(|frame| places[frame - span.first].place.position);
         places.iter().all(stays)
-            && self.movement.passes(node.surface, at, span, points)
+            && self.movement.passes(spot.surface(), at, span, points)
             && self.has_no_bump(&places, span, points)
     }
 
@@ -196,71 +198,71 @@ impl<'a> Stretch<'a> {
         })
     }
 
-    /// Gathers the light of nodes in five frames of spans, and finds out whether it is smooth.
-    fn try_smooth(&mut self, open: &[NodeSpan], work: &Work<'_>) {
-        let moments = |own: &NodeSpan| {
-            let node = own.node;
-            own.span.points().into_iter().flatten().map(move |frame| NodeMoment { frame, node })
+    /// Gathers the light of spots in five frames of spans, and finds out whether it is smooth.
+    fn try_smooth(&mut self, open: &[SpotSpan], work: &Work<'_>) {
+        let moments = |own: &SpotSpan| {
+            let spot = own.spot;
+            own.span.points().into_iter().flatten().map(move |frame| SpotMoment { frame, spot })
         };
         self.gather(open.iter().flat_map(moments).collect(), work);
         let smooth: Vec<bool> = open.par_iter().map(|own| self.is_smooth(*own).unwrap_or(false)).collect();
         self.smooth.extend(open.iter().copied().zip(smooth));
     }
 
-    /// Whether the light of a node in five frames of a span, which is known, is smooth; None where it has no place.
-    fn is_smooth(&self, NodeSpan { node, span }: NodeSpan) -> Option<bool> {
+    /// Whether the light of a spot in five frames of a span, which is known, is smooth; None where it has no place.
+    fn is_smooth(&self, SpotSpan { spot, span }: SpotSpan) -> Option<bool> {
         let points = span.points()?;
-        let nodes = self.known_in(node, points)?;
-        let all = |node: &Node| node.light.bands.iter().sum::<f64>();
+        let lights = self.known_in(spot, points)?;
+        let all = |own: &SpotLight| own.light.bands.iter().sum::<f64>();
         let even = EVEN.map(|k| points[k]);
         Some(ODD.into_iter().all(|k| {
-            let predicted = interpolated(weights(even, points[k]), EVEN.map(|k| all(nodes[k])));
-            let Node { light, lit, .. } = nodes[k];
-            let judged = self.gatherers[points[k]].light().judged_by(all(nodes[k]) + lit);
-            (predicted - all(nodes[k])).abs() <= SMOOTH * judged + light.error
+            let predicted = interpolated(weights(even, points[k]), EVEN.map(|k| all(lights[k])));
+            let SpotLight { light, lit, .. } = lights[k];
+            let judged = self.gatherers[points[k]].light().judged_by(all(lights[k]) + lit);
+            (predicted - all(lights[k])).abs() <= SMOOTH * judged + light.error
         }))
     }
 
-    /// A node that is known in some frames.
-    fn known_in<const N: usize>(&self, node: NodeIndex, frames: [usize; N]) -> Option<[&Node; N]> {
-        let known = frames.iter().map(|frame| self.known[*frame].get(&node)?.as_ref());
-        known.collect::<Option<Vec<&Node>>>()?.try_into().ok()
+    /// A spot that is known in some frames.
+    fn known_in<const N: usize>(&self, spot: Spot, frames: [usize; N]) -> Option<[&SpotLight; N]> {
+        let known = frames.iter().map(|frame| self.known[*frame].get(&spot)?.as_ref());
+        known.collect::<Option<Vec<&SpotLight>>>()?.try_into().ok()
     }
 
-    /// A node in a frame, by those in five.
-    fn interpolated(&self, node: NodeIndex, span: Span, frame: usize) -> Option<Node> {
+    /// A spot in a frame, by those in five.
+    fn interpolated(&self, spot: Spot, span: Span, frame: usize) -> Option<SpotLight> {
         let points = span.points()?;
-        let nodes = self.known_in(node, points)?;
-        let seen = self.gatherers[frame].place(node)?;
+        let lights = self.known_in(spot, points)?;
+        let seen = self.gatherers[frame].place(spot)?;
         let weights = weights(points, frame);
-        let of = |value: &dyn Fn(&Node) -> f64| interpolated(weights, nodes.map(value));
-        let band = |band: usize| of(&|node| node.light.bands[band]).max(0.0);
-        let bands = (0..nodes[0].light.bands.len()).map(band).collect();
-        let error = nodes.iter().map(|node| node.light.error).fold(0.0, f64::max);
-        Some(Node { seen, light: ComputedLight { bands, error }, lit: of(&|node| node.lit) })
+        let of = |value: &dyn Fn(&SpotLight) -> f64| interpolated(weights, lights.map(value));
+        let band = |band: usize| of(&|own| own.light.bands[band]).max(0.0);
+        let bands = (0..lights[0].light.bands.len()).map(band).collect();
+        let error = lights.iter().map(|own| own.light.error).fold(0.0, f64::max);
+        Some(SpotLight { seen, light: ComputedLight { bands, error }, lit: of(&|own| own.lit) })
     }
 
-    /// Gathers nodes that are not known yet.
-    fn gather(&mut self, mut moments: Vec<NodeMoment>, work: &Work<'_>) {
-        moments.retain(|moment| !self.known[moment.frame].contains_key(&moment.node));
+    /// Gathers spots that are not known yet.
+    fn gather(&mut self, mut moments: Vec<SpotMoment>, work: &Work<'_>) {
+        moments.retain(|moment| !self.known[moment.frame].contains_key(&moment.spot));
         moments.sort_unstable();
         moments.dedup();
         for own in moments.chunk_by(|one, other| one.frame == other.frame) {
             let frame = own[0].frame;
-            let nodes: Vec<NodeIndex> = own.iter().map(|moment| moment.node).collect();
-            let gathered = self.gatherers[frame].nodes(&nodes, work);
-            self.known[frame].extend(nodes.into_iter().zip(gathered));
+            let spots: Vec<Spot> = own.iter().map(|moment| moment.spot).collect();
+            let gathered = self.gatherers[frame].spots(&spots, work);
+            self.known[frame].extend(spots.into_iter().zip(gathered));
         }
         self.error.count(moments.len(), 0);
     }
 
-    /// Gathers some nodes of a frame that are interpolated, to tell the error of these.
-    fn tell(&mut self, frame: usize, found: &[(NodeIndex, Option<&Node>)], work: &Work<'_>) {
-        let nodes: Vec<NodeIndex> = found.iter().map(|(node, _)| *node).collect();
-        let gathered = self.gatherers[frame].nodes(&nodes, work);
+    /// Gathers some spots of a frame that are interpolated, to tell the error of these.
+    fn tell(&mut self, frame: usize, found: &[(Spot, Option<&SpotLight>)], work: &Work<'_>) {
+        let spots: Vec<Spot> = found.iter().map(|(spot, _)| *spot).collect();
+        let gathered = self.gatherers[frame].spots(&spots, work);
         for ((_, own), gathered) in found.iter().zip(gathered) {
             let (Some(own), Some(right)) = (own, gathered) else { continue };
-            let sum = |node: &Node| node.light.bands.iter().sum::<f64>();
+            let sum = |own: &SpotLight| own.light.bands.iter().sum::<f64>();
             self.error.take(sum(own) - sum(&right), sum(&right) + right.lit);
         }
     }
@@ -274,8 +276,15 @@ pub(super) struct StretchFrame<'a, 'b> {
     pub frame: usize,
 }
 
-impl NodeSource for StretchFrame<'_, '_> {
-    fn nodes(&mut self, wanted: &[NodeIndex], work: &Work<'_>) -> Vec<Option<Node>> {
-        self.stretch.nodes(self.frame, wanted, work)
+impl SpotSource for StretchFrame<'_, '_> {
+    fn spots(&mut self, wanted: &[Spot], work: &Work<'_>) -> Vec<Option<SpotLight>> {
+        let movement = &self.stretch.movement;
+        let is_shared =
+            |spot: &Spot| matches!(spot, Spot::Node(_)) || movement.is_seen_at_rest(spot.surface());
+        let is_shared: Vec<bool> = wanted.iter().map(is_shared).collect();
+        let shared = wanted.iter().zip(&is_shared).filter_map(|(spot, is_shared)| is_shared.then_some(*spot));
+        let shared: Vec<Spot> = shared.collect();
+        let mut found = self.stretch.spots(self.frame, &shared, work).into_iter();
+        is_shared.into_iter().map(|is_shared| if is_shared { found.next()? } else { None }).collect()
     }
 }

@@ -1,4 +1,4 @@
-//! The nodes of one frame: their places, and their light, gathered there.
+//! The spots of one frame: their places, and their light, gathered there.
 
 use std::collections::{BTreeSet, HashMap};
 
@@ -9,7 +9,7 @@ use radiosity_work::{Stage, Work};
 use serde::{Deserialize, Serialize};
 
 use super::lattice::Lattice;
-pub(crate) use super::lattice::NodeIndex;
+use super::spot::Spot;
 use crate::pictures::eye::SeenPlace;
 use crate::pictures::picture_light::{ComputedLight, PictureLight};
 use crate::pictures::pixel_count::PixelCount;
@@ -17,9 +17,9 @@ use crate::pictures::pixel_count::PixelCount;
 /// Rays for direct light at a node, which tells how accurate other light is to be. Chosen.
 const AT_NODES: RayEffort = RayEffort { error_factor: 3.0, sure: false };
 
-/// A node of a lattice.
+/// The light of a spot.
 #[derive(Clone, Debug, Serialize, Deserialize)]
-pub(crate) struct Node {
+pub(crate) struct SpotLight {
     /// Its place.
     pub seen: SeenPlace,
     /// Reflected light there.
@@ -28,8 +28,8 @@ pub(crate) struct Node {
     pub lit: f64,
 }
 
-/// Reflected light at the nodes of one frame, with none kept.
-pub(crate) struct NodeGatherer<'a> {
+/// Reflected light at the spots of one frame, with none kept.
+pub(crate) struct SpotGatherer<'a> {
     light: &'a PictureLight<'a>,
     elements: &'a Elements,
     /// Diagonal of the scene's bounding box (scene length).
@@ -37,7 +37,7 @@ pub(crate) struct NodeGatherer<'a> {
     lattices: HashMap<usize, Lattice>,
 }
 
-impl<'a> NodeGatherer<'a> {
+impl<'a> SpotGatherer<'a> {
     /// The gatherer of `light` in a scene of this diagonal.
     pub(crate) fn new(light: &'a PictureLight<'a>, diagonal: f64) -> Self {
         let elements = light.solution().elements();
@@ -63,32 +63,36 @@ impl<'a> NodeGatherer<'a> {
         &self.lattices[&surface]
     }
 
-    /// The light of these nodes; None where no open place is near, and in narrow gaps.
-    pub(crate) fn nodes(&self, wanted: &[NodeIndex], work: &Work<'_>) -> Vec<Option<Node>> {
+    /// The light of these spots; None where they have no place.
+    pub(crate) fn spots(&self, wanted: &[Spot], work: &Work<'_>) -> Vec<Option<SpotLight>> {
         let count = PixelCount::new(wanted.len(), Stage::GatheredPixels, work);
-        let node = |place: usize| {
-            let node = self.node(wanted[place]);
+        let spot = |index: usize| {
+            let own = wanted[index];
+            let error_factor = if let Spot::Place(place) = own { place.error_factor() } else { 1.0 };
+            let light = self.place(own).map(|seen| self.gathered(&seen, error_factor));
             count.add();
-            node
+            light
         };
-        work.ranks.map_even(PartName::GatheredLight, wanted.len(), 1, node)
+        work.ranks.map_even(PartName::GatheredLight, wanted.len(), 1, spot)
     }
 
-    /// The place of a node; None where no open place is near, and in narrow gaps.
-    pub(crate) fn place(&self, node: NodeIndex) -> Option<SeenPlace> {
-        let seen = self.lattice(node.surface).place(self.elements, node, self.diagonal)?;
-        (!self.light.is_in_gap(&seen)).then_some(seen)
-    }
-
-    /// The light of a node; None where it has no place.
-    pub(crate) fn node(&self, node: NodeIndex) -> Option<Node> {
-        let seen = self.place(node)?;
-        let lit = self.light.direct(&seen, None, AT_NODES).bands;
-        Some(Node { seen, light: self.light.rest(&seen, &lit, 1.0), lit: lit.iter().sum() })
+    /// The place of a spot; None of a node where no open place is near or in a narrow gap, and where something lies on
+    /// a place.
+    pub(crate) fn place(&self, spot: Spot) -> Option<SeenPlace> {
+        match spot {
+            Spot::Place(place) => {
+                SeenPlace::at(self.elements, spot.surface(), place.parameters(), self.diagonal)
+            }
+            Spot::Node(node) => {
+                let seen = self.lattice(node.surface).place(self.elements, node, self.diagonal)?;
+                (!self.light.is_in_gap(&seen)).then_some(seen)
+            }
+        }
     }
 
     /// The light of a place with `error_factor` times the usual error.
-    pub(crate) fn gathered(&self, seen: &SeenPlace, error_factor: f64) -> ComputedLight {
-        self.light.rest(seen, &self.light.direct(seen, None, AT_NODES).bands, error_factor)
+    pub(crate) fn gathered(&self, seen: &SeenPlace, error_factor: f64) -> SpotLight {
+        let lit = self.light.direct(seen, None, AT_NODES).bands;
+        SpotLight { seen: *seen, light: self.light.rest(seen, &lit, error_factor), lit: lit.iter().sum() }
     }
 }
