@@ -56,7 +56,7 @@ shadows and all: what has moved or shines otherwise is found anew, and the diffe
 frame as it is alone, to the bit.
 
 Pictures share the light that is gathered: beside what moves, and where light changes in other ways than smoothly, it is gathered in each \
-frame, elsewhere in a quarter of them and interpolated between; the summary tells the error that this makes. About how long all takes is told \
+frame, elsewhere in every eighth and interpolated between; the summary tells the error that this makes. About how long all takes is told \
 before the first picture.
 
 Examples:

@@ -34,8 +34,8 @@ pub use film_error::FilmError;
 use movement::Movement;
 use stretch::{Stretch, StretchFrame};
 
-/// Frames from the first of a stretch to its last, which is the first of the next one. Chosen: light is gathered in a
-/// quarter of them where it is smooth, and so many solutions are held.
+/// Frames from the first of a stretch to its last, which is the first of the next one. Chosen: light is gathered in
+/// an eighth of them where it is smooth, and so many solutions are held.
 const STRETCH: usize = 32;
 
 /// Part of the time of pictures alone that pictures of a film take.
