@@ -162,8 +162,8 @@ fn half_the_step_changes_pictures_by_half() {
     assert!(two < 0.6 * four && one < 0.6 * two, "{one} {two} {four}");
 }
 
-/// The light that a cube takes from the floor below moves with it: interpolated between five frames of the way, which is
-/// four of its edges long, it would be missed by a part of that light.
+/// The light that a cube takes from the floor below moves with it. Interpolated between five frames of the way, which is
+/// four of its edges long, pictures are off by 3.6e-2, and by 0.25 in the worst pixel.
 #[test]
 fn beside_what_moves_light_is_gathered_in_each_frame() {
     let scene = cube_room(9, "[[0, 0, 0], [0.6, 0, 0]]", "[[0, 0, 0], [0, 0, 0]]");
@@ -172,7 +172,6 @@ fn beside_what_moves_light_is_gathered_in_each_frame() {
     let (film, _) = film(&scene, &frames, ReadMode::Gather, &wanted);
     for (number, picture) in wanted.into_iter().zip(&film) {
         let [mean, most] = apart(picture, &alone(&scene, &frames[number]));
-        eprintln!("{number}: {mean:.2e} {most:.2e}");
         assert!(mean < 3e-3 && most < 2e-2, "{number}: {mean:.2e} {most:.2e}");
     }
 }
@@ -196,7 +195,6 @@ fn films_do_not_flicker_and_tell_their_error() {
     let flicker = (squares.iter().sum::<f64>() / squares.len() as f64).sqrt();
     let told = error.told().expect("light is interpolated");
     let found = apart(&film[5], &alone(&scene, &frames[5]))[0];
-    eprintln!("{flicker:.2e} told {told:.2e} found {found:.2e}");
     assert!(flicker < 3e-3, "{flicker:.2e}");
     assert!(told < 5e-3 && found < 2.0 * told, "told {told:.2e}, found {found:.2e}");
 }
