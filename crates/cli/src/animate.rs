@@ -5,10 +5,10 @@ mod apng;
 mod frame_files;
 mod frames;
 mod readings;
-mod shooting;
 mod shutter;
-mod summary;
 mod time_left;
+mod shooting;
+mod summary;
 
 use std::path::PathBuf;
 use std::time::Instant;
@@ -18,7 +18,7 @@ use radiosity_audit::evenly;
 use radiosity_reading::rank_work::RanksWork;
 use radiosity_reading::reader::ReadMode;
 use radiosity_reading::report::underestimated;
-use radiosity_request::picture::{require_pixels, sized};
+use radiosity_request::picture::{SAMPLES, require_pixels, sized};
 use radiosity_request::ranges::{Fraction, Positive};
 use radiosity_request::require_all_light;
 use radiosity_request::view::{View, ViewRequest};
@@ -240,8 +240,21 @@ pub(crate) fn run(args: &AnimateArgs, loaded: Loaded, ranks: &Ranks) -> Result<(
     let readings = points.map(|points| Readings::new(points, args.read.plain(&args.method)));
     let judged = evenly(range.numbers(), range.count(), 1, 0).next().unwrap_or_default();
     let exposure = TypedExposure::fixed(args.exposure);
-    let shutter =
-        Shutter { args, asked: &asked, judged, found: None, readings, files, view, exposure, ranks };
+    let shutter = Shutter {
+        size: args.size,
+        samples: args.samples.unwrap_or(SAMPLES),
+        read: args.read.read,
+        resumes: args.resume,
+        check: &args.check,
+        asked: &asked,
+        judged,
+        found: None,
+        readings,
+        files,
+        view,
+        exposure,
+        ranks,
+    };
     let shooting = Shooting::new(shutter, scene, follower, range, &progress, &work);
     let Shot { shutter, follower, made, read, error } = shooting.shoot()?;
     let Shutter { files, readings, found, exposure, .. } = shutter;

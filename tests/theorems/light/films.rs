@@ -162,8 +162,8 @@ fn half_the_step_changes_pictures_by_half() {
     assert!(two < 0.6 * four && one < 0.6 * two, "{one} {two} {four}");
 }
 
-/// The light that a cube takes from the floor below moves with it. Interpolated between five frames of the way, which is
-/// four of its edges long, pictures are off by 3.6e-2, and by 0.25 in the worst pixel.
+/// The light that a cube takes from the floor below moves with it. Interpolated between five frames of the way, which
+/// is four of its edges long, pictures are off by 3.6e-2, and by 0.25 in the worst pixel.
 #[test]
 fn beside_what_moves_light_is_gathered_in_each_frame() {
     let scene = cube_room(9, "[[0, 0, 0], [0.6, 0, 0]]", "[[0, 0, 0], [0, 0, 0]]");

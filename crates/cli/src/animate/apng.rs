@@ -4,7 +4,6 @@ use std::io;
 
 use radiosity_output::drawings::picture::Picture;
 
-use super::frame_files::delay;
 use crate::error::CliError;
 use crate::output_file::OutputFile;
 
@@ -53,4 +52,11 @@ impl Apng {
             frames.finish().map_err(io::Error::other)
         })
     }
+}
+
+/// Time for which the picture of this number stays, in `units` of a second. Each ends at the nearest unit to where it
+/// should: rounding does not add up.
+pub(super) fn delay(picture: usize, fps: f64, units: f64) -> u16 {
+    let end = |picture: usize| (units * picture as f64 / fps).round();
+    (end(picture + 1) - end(picture)) as u16
 }

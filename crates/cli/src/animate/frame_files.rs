@@ -9,7 +9,7 @@ use radiosity_output::files::exr_file::write_exr;
 use radiosity_reading::pictures::raster::Raster;
 use radiosity_work::ranks::Ranks;
 
-use super::apng::Apng;
+use super::apng::{Apng, delay};
 use super::encoder::{Container, Encoder, require_program};
 use crate::error::CliError;
 use crate::loaded::Loaded;
@@ -162,13 +162,6 @@ impl FrameFiles {
             frames.iter().try_for_each(|frame| encoder.write_frame(frame)).map_err(io::Error::other)
         })
     }
-}
-
-/// Time for which the picture of this number stays, in `units` of a second. Each ends at the nearest unit to where it
-/// should: rounding does not add up.
-pub(super) fn delay(picture: usize, fps: f64, units: f64) -> u16 {
-    let end = |picture: usize| (units * picture as f64 / fps).round();
-    (end(picture + 1) - end(picture)) as u16
 }
 
 /// Refuses what a name as typed asks for.

@@ -11,7 +11,8 @@ use radiosity_reading::pictures::printed_pixels::{PrintedPixels, settings_of_pic
 use radiosity_reading::pictures::raster::Raster;
 use radiosity_reading::pictures::render::{usual_read, white_balance};
 use radiosity_reading::reader::ReadMode;
-use radiosity_request::picture::{SAMPLES, pixels, sized};
+use radiosity_request::CheckRequest;
+use radiosity_request::picture::{pixels, sized};
 use radiosity_request::view::View;
 use radiosity_scene::{Camera, Scene};
 use radiosity_solve::Options;
@@ -19,7 +20,6 @@ use radiosity_solve::animation::frame::Frame;
 use radiosity_work::Work;
 use radiosity_work::ranks::Ranks;
 
-use super::AnimateArgs;
 use super::frame_files::FrameFiles;
 use super::readings::Readings;
 use crate::error::CliError;
@@ -30,7 +30,16 @@ pub(super) const RADIOSITY: &str = "radiosity";
 
 /// Maker of readings at points and of pictures of frames.
 pub(super) struct Shutter<'a> {
-    pub args: &'a AnimateArgs,
+    /// Pixels across and down, where they are not those of the camera.
+    pub size: Option<[u32; 2]>,
+    /// Camera rays along each side of a pixel.
+    pub samples: u32,
+    /// Source of the light, where it is not the usual one.
+    pub read: Option<ReadMode>,
+    /// Whether pictures that are there already stay.
+    pub resumes: bool,
+    /// Work that the check is worth.
+    pub check: &'a CheckRequest,
     /// Options that the frames are solved with.
     pub asked: &'a Options,
     /// Number of the frame that is checked.
@@ -59,7 +68,7 @@ impl<'a> Shutter<'a> {
     /// The film of a scene whose frames are like `first`, with light from the source that is asked for or usual.
     pub(super) fn film(&self, scene: &'a Scene, first: &Frame) -> Film<'a> {
         let usual = || usual_read(&first.solution, &first.visibility, pixels(&self.camera(&first.scene)));
-        Film::new(scene, self.args.read.read.unwrap_or_else(usual), self.args.samples.unwrap_or(SAMPLES))
+        Film::new(scene, self.read.unwrap_or_else(usual), self.samples)
     }
 
     /// Whether anything of a frame is wanted, the first of all if it `is_first`.
@@ -75,7 +84,7 @@ impl<'a> Shutter<'a> {
 
     /// Whether the picture of a frame was made by a run that is resumed.
     fn has(&self, number: usize) -> bool {
-        self.args.resume && self.files.as_ref().is_some_and(|files| files.has(number, self.ranks))
+        self.resumes && self.files.as_ref().is_some_and(|files| files.has(number, self.ranks))
     }
 
     /// A frame as a film shows it.
@@ -94,7 +103,7 @@ impl<'a> Shutter<'a> {
         made: &mut dyn FnMut(),
     ) -> Result<(), CliError> {
         for own in solved.iter().filter(|own| wanted.contains(&own.number)) {
-            self.read(own)?;
+            self.take_readings(own)?;
         }
         let Some(film) = film else {
             wanted.iter().for_each(|_| made());
@@ -112,12 +121,12 @@ impl<'a> Shutter<'a> {
     }
 
     /// Reads the points in a frame.
-    fn read(&mut self, own: &SolvedFrame) -> Result<(), CliError> {
+    fn take_readings(&mut self, own: &SolvedFrame) -> Result<(), CliError> {
         let Some(readings) = &mut self.readings else { return Ok(()) };
         readings.read(own.number, &own.frame, self.asked, self.ranks)?;
         if let Some(readings) = self.readings.as_ref().filter(|_| own.number == self.judged) {
             let printed = |point: usize| readings.printed(point, &own.frame);
-            self.found = self.check(&own.frame, readings.count(), printed);
+            self.found = self.checked(&own.frame, readings.count(), printed);
         }
         Ok(())
     }
@@ -141,14 +150,14 @@ impl<'a> Shutter<'a> {
 
     /// The check of `count` numbers of a frame that `printed` gives; None where a referee does not know such
     /// light.
-    fn check(
+    fn checked(
         &self,
         frame: &Frame,
         count: usize,
         printed: impl Fn(usize) -> Option<PrintedReading>,
     ) -> Option<CheckedReadings> {
         // Frames keep no counts of their work: it is the least effort, unless told otherwise.
-        let effort = self.args.check.of_light(0.0, count, &frame.scene, self.asked)?;
+        let effort = self.check.of_light(0.0, count, &frame.scene, self.asked)?;
         let referee = Referee::of_light(&frame.scene);
         let found = CheckedReadings::of(&referee, count, printed, &effort, &Work::among(self.ranks));
         (!found.judged.is_empty()).then_some(found)
@@ -159,13 +168,13 @@ impl<'a> Shutter<'a> {
         let (frame, camera) = (own.frame, &own.camera);
         let error = OwnError::of_frame(frame, self.asked, &settings_of_pictures(read));
         let pixels = PrintedPixels::of(raster, camera, &frame.scene, &frame.visibility, error);
-        self.check(frame, pixels.count(), |number| pixels.reading(number))
+        self.checked(frame, pixels.count(), |number| pixels.reading(number))
     }
 
     /// The camera of a frame: its own, unless there is one view of all.
     fn camera(&self, scene: &Scene) -> Camera {
         let camera = self.view.clone().unwrap_or_else(|| View::usual(scene).camera);
-        sized(camera, self.args.size)
+        sized(camera, self.size)
     }
 
     /// The picture of a frame in colours.

@@ -9,8 +9,8 @@
 //! rendering*, SIGGRAPH 2001 (light shared by frames; there photons, here gathered light).
 
 mod film_error;
-mod movement;
 mod span;
+mod movement;
 mod stretch;
 
 use std::collections::HashMap;

@@ -186,7 +186,10 @@ impl<'a> LightField<'a> {
         let asked: Vec<&AskedPlace> = some.iter().filter_map(|open| places[open.place].as_ref()).collect();
         let mut known = vec![None; asked.len()];
         if let Some(source) = &mut self.source {
-            let spots: Vec<Spot> = asked.iter().map(|asked| Spot::Place(PlaceKey::of(asked))).collect();
+            let spots: Vec<Spot> = asked
+                .iter()
+                .map(|asked| Spot::Place(PlaceKey::of(&asked.seen, asked.error_factor)))
+                .collect();
             known = source.spots(&spots, work);
         }
         let open: Vec<usize> = (0..asked.len()).filter(|index| known[*index].is_none()).collect();

@@ -49,7 +49,8 @@ impl fmt::Display for FilmError {
         let percent = 100.0 * error;
         write!(
             to,
-            "reflected light of pictures: {gathered} places gathered, {part:.0} % interpolated between frames to {percent:.2} %"
+            "reflected light of pictures: {gathered} places gathered, {part:.0} % interpolated between frames to \
+             {percent:.2} %"
         )
     }
 }

@@ -18,7 +18,7 @@ pub(super) struct Span {
 /// Frames of a span in which values are known.
 pub(super) const POINTS: usize = 5;
 
-/// Those of them through which the others are predicted, to see how smooth values are; and these.
+/// The points through which others are predicted, to see how smooth values are; and these.
 pub(super) const EVEN: [usize; 3] = [0, 2, 4];
 pub(super) const ODD: [usize; 2] = [1, 3];
 

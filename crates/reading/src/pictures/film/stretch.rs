@@ -1,7 +1,7 @@
 //! Reflected light at spots in some frames that follow each other: gathered in some, interpolated in others.
 //!
-//! Spots are the nodes of the light field, which move with their surfaces, and the places at which light is gathered alone,
-//! where they are seen at rest. One is gathered in five frames of a span. Where these predict each other,
+//! Spots are the nodes of the light field, which move with their surfaces, and the places at which light is gathered
+//! alone, where they are seen at rest. One is gathered in five frames of a span. Where these predict each other,
 //!
 //! ```text
 //! |f(t_k) − p_2(t_k)| ≤ τ √(E max(E, Ē)) + s ,     k = 1, 3 ,     p_2 through f(t_0), f(t_2), f(t_4) ,
@@ -67,7 +67,7 @@ struct SpotMoment {
     spot: Spot,
 }
 
-/// What the light of a spot in a frame follows from.
+/// The source of the light of a spot in a frame.
 #[derive(Clone, Copy, Debug)]
 enum Origin {
     /// It is gathered.
@@ -122,7 +122,7 @@ impl<'a> Stretch<'a> {
         found
     }
 
-    /// What the light of these spots in a frame follows from.
+    /// The sources of the light of these spots in a frame.
     fn origins(&mut self, frame: usize, wanted: &[Spot], work: &Work<'_>) -> Vec<Origin> {
         let whole = Span { first: 0, last: self.gatherers.len() - 1 };
         let mut origins = vec![Origin::Open(whole); wanted.len()];
@@ -154,7 +154,7 @@ impl<'a> Stretch<'a> {
         }
     }
 
-    /// What the light of a spot in a frame follows from, as far as that is known without gathering more; and spans
+    /// The source of the light of a spot in a frame, as far as that is known without gathering more; and spans
     /// over which it is not smooth.
     fn origin(&self, spot: Spot, mut span: Span, frame: usize) -> (Origin, Vec<SpotSpan>) {
         let mut rough = Vec::new();

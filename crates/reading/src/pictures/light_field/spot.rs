@@ -1,7 +1,7 @@
 //! Spots of which light is known: nodes of lattices, and single places.
 
-use super::AskedPlace;
 pub(crate) use super::lattice::NodeIndex;
+use crate::pictures::eye::SeenPlace;
 
 /// A spot on a surface, with which it moves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -31,8 +31,8 @@ impl Spot {
 }
 
 impl PlaceKey {
-    /// The key of a place that is asked for.
-    pub(super) fn of(AskedPlace { seen, error_factor, .. }: &AskedPlace) -> Self {
+    /// The key of a place with this factor on the error of its light.
+    pub(super) fn of(seen: &SeenPlace, error_factor: f64) -> Self {
         let parameters = seen.place.parameters.map(f64::to_bits);
         Self { surface: seen.place.surface, parameters, error_factor: error_factor.to_bits() }
     }
