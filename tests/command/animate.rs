@@ -251,6 +251,32 @@ fn a_film_lasts_as_long_as_its_frames() {
 }
 
 #[test]
+fn an_animated_png_holds_all_frames_and_their_time() {
+    let folder = folder(&[("room.toml", ROOM), ("points.csv", POINTS)]);
+    let folder = folder.path();
+    let args = ["animate", "room.toml", "--frames", "2..4", "--samples", "1", "--exposure", "1", "-o"];
+    done(folder, &[&args[..], &["room.apng"]].concat());
+    done(folder, &[&args[..], &["room-#.png"]].concat());
+    let open = |name: &str| {
+        let file = std::io::BufReader::new(fs::File::open(folder.join(name)).expect("it was written"));
+        png::Decoder::new(file).read_info().expect("a PNG")
+    };
+    let mut film = open("room.apng");
+    assert_eq!(film.info().animation_control().map(|control| control.num_frames), Some(3));
+    for number in 2..5 {
+        let mut still = open(&format!("room-{number}.png"));
+        let pixels = |from: &mut png::Reader<std::io::BufReader<fs::File>>| {
+            let mut pixels = vec![0; from.output_buffer_size().expect("it is small")];
+            from.next_frame(&mut pixels).expect("a frame");
+            pixels
+        };
+        assert!(pixels(&mut film) == pixels(&mut still), "{number}");
+        let control = film.info().frame_control().expect("a frame of a film");
+        assert_eq!([control.delay_num, control.delay_den], [250, 1000], "four a second");
+    }
+}
+
+#[test]
 fn what_cannot_be_animated_is_refused_with_a_cure() {
     let folder = folder(&[("room.toml", ROOM), ("points.csv", POINTS)]);
     let folder = folder.path();
@@ -262,7 +288,7 @@ fn what_cannot_be_animated_is_refused_with_a_cure() {
     refuse(&["--frames", "5..3"], &["frame 5 comes after frame 3", "write 3..5"]);
     refuse(&["--frames", "5-3"], &["0..99"]);
     refuse(&["-o", "all.png"], &["one name for all frames", "frame-####.png"]);
-    refuse(&["-o", "film.avi"], &["names no kind of pictures", ".gif"]);
+    refuse(&["-o", "film.avi"], &["names no kind of pictures", ".gif, .apng"]);
     refuse(&["-o", "no/f-#.png"], &["its folder does not exist"]);
     refuse(&["-o", "f.gif", "--fps", "100"], &["50 pictures a second", "--fps 50"]);
     refuse(&["-o", "f-#.png", "--fps", "10"], &["files have no speed"]);

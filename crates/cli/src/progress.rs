@@ -85,8 +85,13 @@ impl Progress {
 
     /// Announces, also without a terminal, about how long a stage will take, where that is long.
     fn expect(&self, stage: Stage, seconds: f64) {
+        self.announce(stage.name(), seconds);
+    }
+
+    /// Announces, also without a terminal, about how long something will take, where that is long.
+    pub(crate) fn announce(&self, what: &str, seconds: f64) {
         if !self.quiet && seconds >= LONG {
-            self.write(format!("{stage}: about {} s\n", round_above(seconds)));
+            self.write(format!("{what}: about {} s\n", round_above(seconds)));
         }
     }
 

@@ -1,4 +1,4 @@
-//! Light of pixels and texels: cameras, samples, rasters, the light of frames, light maps.
+//! Light of pixels and texels: cameras, samples, rasters, the light of frames, films, light maps.
 
 pub mod pinhole;
 pub mod seen_surfaces;
@@ -13,5 +13,6 @@ mod frame_light;
 mod shot;
 mod oversampling;
 pub mod render;
+pub mod film;
 pub mod lightmap;
 pub mod printed_pixels;

@@ -66,9 +66,9 @@ pub(super) fn require_program(film: &Path) -> Result<(), CliError> {
         Err(error) => error.to_string(),
     };
     Err(CliError::refused(
-        format!("{}: films other than .gif are made by {PROGRAM}: {reason}", film.display()),
+        format!("{}: films other than .gif and .apng are made by {PROGRAM}: {reason}", film.display()),
         "install it so that it is on the PATH (apt install ffmpeg, brew install ffmpeg, winget install ffmpeg), or choose \
-               a film ending in .gif or pictures such as frame-####.png, which need nothing else",
+               a film ending in .gif or .apng or pictures such as frame-####.png, which need nothing else",
     ))
 }
 

@@ -9,6 +9,7 @@ use radiosity_output::files::exr_file::write_exr;
 use radiosity_reading::pictures::raster::Raster;
 use radiosity_work::ranks::Ranks;
 
+use super::apng::{Apng, delay};
 use super::encoder::{Container, Encoder, require_program};
 use crate::error::CliError;
 use crate::loaded::Loaded;
@@ -34,6 +35,8 @@ pub(super) enum FrameFiles {
     Files(Pattern),
     /// One animated GIF, written at the end.
     Gif { output: OutputFile, fps: f64, size: [u16; 2], frames: Vec<gif::Frame<'static>> },
+    /// One animated PNG, written at the end.
+    Apng(Apng),
     /// One film by a program that gets the pictures as they are made; none before the first.
     Encoded { output: Option<OutputFile>, container: Container, fps: f64, encoder: Option<Encoder> },
 }
@@ -66,6 +69,7 @@ impl FrameFiles {
                 require_speed_of_gif(name, fps)?;
                 Ok(Self::Gif { output: reserved(name)?, fps, size: [0; 2], frames: Vec::new() })
             }
+            Some("apng") => Ok(Self::Apng(Apng::new(reserved(name)?, fps))),
             Some(ending @ ("png" | "exr")) => {
                 let pattern = Pattern::without_speed(name, ending == "exr", typed)?;
                 reserved(&pattern.path(first))?;
@@ -80,7 +84,7 @@ impl FrameFiles {
             _ => Err(refused(
                 name,
                 "the ending names no kind of pictures",
-                "choose names such as frame-####.png or frame-####.exr, or a film ending in .gif, .mp4 or .webm",
+                "choose names such as frame-####.png or frame-####.exr, or a film ending in .gif, .apng, .mp4 or .webm",
             )),
         }
     }
@@ -122,9 +126,13 @@ impl FrameFiles {
                 }
                 let [width, height] = picture.size().map(|pixels| pixels as u16);
                 let mut frame = gif::Frame::from_rgb_speed(width, height, picture.codes(), SPEED);
-                frame.delay = delay(frames.len(), *fps);
+                frame.delay = delay(frames.len(), *fps, GIF_UNITS);
                 *size = [width, height];
                 frames.push(frame);
+                Ok(())
+            }
+            Self::Apng(film) => {
+                film.add(&picture());
                 Ok(())
             }
             Self::Encoded { output, container, fps, encoder } => {
@@ -144,6 +152,7 @@ impl FrameFiles {
     pub(super) fn finish(self) -> Result<(), CliError> {
         let (output, [width, height], frames) = match self {
             Self::Files(_) => return Ok(()),
+            Self::Apng(film) => return film.finish(),
             Self::Encoded { encoder, .. } => return encoder.map_or(Ok(()), Encoder::finish),
             Self::Gif { output, size, frames, .. } => (output, size, frames),
         };
@@ -153,13 +162,6 @@ impl FrameFiles {
             frames.iter().try_for_each(|frame| encoder.write_frame(frame)).map_err(io::Error::other)
         })
     }
-}
-
-/// Time for which the picture of this number stays in a GIF. Each ends at the nearest unit to where it should:
-/// rounding does not add up.
-fn delay(picture: usize, fps: f64) -> u16 {
-    let end = |picture: usize| (GIF_UNITS * picture as f64 / fps).round();
-    (end(picture + 1) - end(picture)) as u16
 }
 
 /// Refuses what a name as typed asks for.
@@ -186,7 +188,7 @@ impl Pattern {
             return Err(refused(
                 name,
                 "files have no speed",
-                "leave out --fps, or choose a film ending in .gif, .mp4 or .webm",
+                "leave out --fps, or choose a film ending in .gif, .apng, .mp4 or .webm",
             ));
         }
         let missing = || {

@@ -66,6 +66,16 @@ impl FrameRange {
         self.first..=self.last
     }
 
+    /// First and last frames of stretches of so many steps, of which each begins where the one before ends; of single
+    /// frames where that is 0.
+    pub(super) fn stretches(&self, steps: usize) -> Vec<[usize; 2]> {
+        if steps == 0 || self.count() == 1 {
+            return (self.first..=self.last).map(|frame| [frame; 2]).collect();
+        }
+        let starts = (self.first..self.last).step_by(steps);
+        starts.map(|first| [first, (first + steps).min(self.last)]).collect()
+    }
+
     /// Number of frames.
     pub(super) fn count(&self) -> usize {
         self.last - self.first + 1
@@ -75,6 +85,15 @@ impl FrameRange {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn stretches_hold_all_frames() {
+        let range = FrameRange { first: 3, last: 12 };
+        assert_eq!(range.stretches(4), [[3, 7], [7, 11], [11, 12]]);
+        assert_eq!(range.stretches(0).len(), 10);
+        assert_eq!(FrameRange { first: 3, last: 3 }.stretches(4), [[3, 3]]);
+        assert_eq!(FrameRange { first: 0, last: 4 }.stretches(4), [[0, 4]]);
+    }
 
     #[test]
     fn ranges_are_read() {

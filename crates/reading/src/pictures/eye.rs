@@ -4,7 +4,7 @@ use radiosity_elements::Elements;
 use radiosity_geom::{DVec3, Encounter, Ray};
 use radiosity_light::receiver_point::ReceiverPoint;
 use radiosity_solve::gather::surface_point::SurfacePoint;
-use radiosity_solve::solution::SurfacePlace;
+use radiosity_solve::solution::{Solution, SurfacePlace};
 use radiosity_visibility::Visibility;
 use radiosity_work::ranks::vector;
 use serde::{Deserialize, Serialize};
@@ -66,7 +66,12 @@ pub(crate) struct Eye<'a> {
     pub diagonal: f64,
 }
 
-impl Eye<'_> {
+impl<'a> Eye<'a> {
+    /// The eye for the surfaces of a solution among these obstacles.
+    pub(crate) fn of(solution: &'a Solution, visibility: &'a Visibility) -> Self {
+        Self { elements: solution.elements(), visibility, diagonal: visibility.bounds().diagonal() }
+    }
+
     /// The front that a ray meets first, if it is a front.
     pub(crate) fn along(&self, ray: &Ray) -> Option<SeenPlace> {
         let Encounter { surface, hit, front } = self.visibility.nearest(ray)?;

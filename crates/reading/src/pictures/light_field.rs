@@ -24,21 +24,23 @@ pub(crate) mod extent;
 pub(crate) mod open_part;
 pub(crate) mod fit;
 mod lattice;
+pub(crate) mod spot;
+pub(crate) mod spot_gatherer;
 
-use std::collections::{BTreeSet, HashMap};
+use std::collections::HashMap;
 
-use radiosity_elements::Elements;
-use radiosity_light::penumbra::RayEffort;
 use radiosity_work::ranks::PartName;
 use radiosity_work::{Stage, Work};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
 use super::eye::SeenPlace;
-use super::picture_light::{ComputedLight, PictureLight};
+use super::picture_light::PictureLight;
 use super::pixel_count::PixelCount;
 use fit::{Fit, FitResult};
 use lattice::{Lattice, NodeIndex};
+use spot::{PlaceKey, Spot};
+use spot_gatherer::{SpotGatherer, SpotLight};
 
 /// Fineness of a field.
 #[derive(Clone, Copy, Debug)]
@@ -67,9 +69,6 @@ const SMALL: f64 = 8.0;
 /// Places that one thread fits after each other. Chosen: they take some microseconds each.
 const TOGETHER: usize = 256;
 
-/// Rays for direct light at a node, which tells how accurate other light is to be. Chosen.
-const AT_NODES: RayEffort = RayEffort { error_factor: 3.0, sure: false };
-
 /// A place of which the light is asked for.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct AskedPlace {
@@ -90,38 +89,47 @@ struct OpenPlace {
     share: f64,
 }
 
-/// Light by a fit.
+/// The light of a place by the nodes of one lattice.
 #[derive(Clone, Debug, Serialize, Deserialize)]
-struct FittedLight {
-    /// Irradiance per band (W m⁻²).
-    bands: Vec<f64>,
-    /// Share that it gets; the rest is for a finer lattice.
-    trust: f64,
+enum FittedLight {
+    /// Irradiance per band (W m⁻²), with the share that it gets; the rest is for a finer lattice.
+    Found { bands: Vec<f64>, trust: f64 },
+    /// All is for a finer one.
+    Finer,
+    /// It is to be gathered at the place itself.
+    Alone,
 }
 
-/// A node of a lattice.
-#[derive(Clone, Debug, Serialize, Deserialize)]
-struct Node {
-    seen: SeenPlace,
-    light: ComputedLight,
+/// Who knows the light of spots in one frame.
+pub(crate) trait SpotSource: Sync {
+    /// The light of these spots; None of a node where no open place is near or in a narrow gap, and of a place of which
+    /// the source does not know it.
+    fn spots(&mut self, wanted: &[Spot], work: &Work<'_>) -> Vec<Option<SpotLight>>;
 }
 
 /// Reflected light on the surfaces of a scene, as far as it was asked for.
 pub(crate) struct LightField<'a> {
     light: &'a PictureLight<'a>,
-    elements: &'a Elements,
-    /// Diagonal of the scene's bounding box (scene length).
-    diagonal: f64,
-    lattices: HashMap<usize, Lattice>,
+    gatherer: SpotGatherer<'a>,
+    /// Who knows the light of spots; None where all are gathered.
+    source: Option<&'a mut (dyn SpotSource + 'a)>,
     /// Nodes that were asked for; None where no open place is near, and in narrow gaps.
-    nodes: HashMap<NodeIndex, Option<Node>>,
+    nodes: HashMap<NodeIndex, Option<SpotLight>>,
 }
 
 impl<'a> LightField<'a> {
     /// The reflected light of `light` in a scene of this diagonal; none is computed.
     pub(crate) fn new(light: &'a PictureLight<'a>, diagonal: f64) -> Self {
-        let elements = light.solution().elements();
-        Self { light, elements, diagonal, lattices: HashMap::new(), nodes: HashMap::new() }
+        Self { light, gatherer: SpotGatherer::new(light, diagonal), source: None, nodes: HashMap::new() }
+    }
+
+    /// The reflected light of `light`, of which `source` knows spots in a scene of this diagonal.
+    pub(crate) fn known_by(
+        source: &'a mut (dyn SpotSource + 'a),
+        light: &'a PictureLight<'a>,
+        diagonal: f64,
+    ) -> Self {
+        Self { source: Some(source), ..Self::new(light, diagonal) }
     }
 
     /// Irradiance per band (W m⁻²) of all places, bands fastest; nodes that are computed are told.
@@ -129,34 +137,39 @@ impl<'a> LightField<'a> {
         let bands = self.light.solution().bands().len();
         let mut values = vec![0.0; places.len() * bands];
         let (in_gaps, outside) = self.by_gaps(places);
-        for (place, light) in in_gaps.iter().zip(self.each(places, &in_gaps, work)) {
-            let own = &mut values[place * bands..(place + 1) * bands];
-            light.into_iter().for_each(|light| own.copy_from_slice(&light.bands));
-        }
-        let mut open: Vec<OpenPlace> =
-            outside.into_iter().map(|place| OpenPlace { place, share: 1.0 }).collect();
-        self.prepare(places.iter().flatten());
+        let whole = |places: Vec<usize>| -> Vec<OpenPlace> {
+            places.into_iter().map(|place| OpenPlace { place, share: 1.0 }).collect()
+        };
+        let (mut alone, mut open) = (whole(in_gaps), whole(outside));
+        self.gatherer.prepare(places.iter().flatten().map(|asked| asked.seen.place.surface));
         let mut level = 0;
         while !open.is_empty() {
             let asked = |index: usize| places[open[index].place].as_ref();
             self.compute(level, (0..open.len()).filter_map(asked), work);
-            let fit = |index: usize| asked(index).and_then(|asked| self.fitted(asked, level));
-            let found: Vec<Option<FittedLight>> =
+            let fit =
+                |index: usize| asked(index).map_or(FittedLight::Finer, |asked| self.fitted(asked, level));
+            let found: Vec<FittedLight> =
                 work.ranks.map_even(PartName::FittedLight, open.len(), TOGETHER, fit);
             let mut left = Vec::new();
-            for (OpenPlace { place, share }, found) in open.into_iter().zip(found) {
-                let Some(FittedLight { bands: fitted, trust }) = found else {
-                    left.push(OpenPlace { place, share });
-                    continue;
-                };
-                let own = &mut values[place * bands..(place + 1) * bands];
-                own.iter_mut().zip(fitted).for_each(|(sum, value)| *sum += share * trust * value);
-                if trust < 1.0 {
-                    left.push(OpenPlace { place, share: share * (1.0 - trust) });
+            for (own @ OpenPlace { place, share }, found) in open.into_iter().zip(found) {
+                match found {
+                    FittedLight::Finer => left.push(own),
+                    FittedLight::Alone => alone.push(own),
+                    FittedLight::Found { bands: fitted, trust } => {
+                        let own = &mut values[place * bands..(place + 1) * bands];
+                        own.iter_mut().zip(fitted).for_each(|(sum, value)| *sum += share * trust * value);
+                        if trust < 1.0 {
+                            left.push(OpenPlace { place, share: share * (1.0 - trust) });
+                        }
+                    }
                 }
             }
             open = left;
             level += 1;
+        }
+        for (OpenPlace { place, share }, light) in alone.iter().zip(self.each(places, &alone, work)) {
+            let own = &mut values[place * bands..(place + 1) * bands];
+            own.iter_mut().zip(light).for_each(|(sum, value)| *sum += share * value);
         }
         values
     }
@@ -168,30 +181,32 @@ impl<'a> LightField<'a> {
             .partition(|place| places[*place].as_ref().is_some_and(|asked| self.light.is_in_gap(&asked.seen)))
     }
 
-    /// The light of each of some places, gathered there.
-    fn each(
-        &self,
-        places: &[Option<AskedPlace>],
-        some: &[usize],
-        work: &Work<'_>,
-    ) -> Vec<Option<ComputedLight>> {
-        let count = PixelCount::new(some.len(), Stage::GatheredPixels, work);
+    /// Irradiance per band (W m⁻²) of each of some places, as the source knows it or gathered there.
+    fn each(&mut self, places: &[Option<AskedPlace>], some: &[OpenPlace], work: &Work<'_>) -> Vec<Vec<f64>> {
+        let asked: Vec<&AskedPlace> = some.iter().filter_map(|open| places[open.place].as_ref()).collect();
+        let mut known = vec![None; asked.len()];
+        if let Some(source) = &mut self.source {
+            let spots: Vec<Spot> = asked
+                .iter()
+                .map(|asked| Spot::Place(PlaceKey::of(&asked.seen, asked.error_factor)))
+                .collect();
+            known = source.spots(&spots, work);
+        }
+        let open: Vec<usize> = (0..asked.len()).filter(|index| known[*index].is_none()).collect();
+        let count = PixelCount::new(open.len(), Stage::GatheredPixels, work);
         let one = |index: usize| {
-            let light =
-                places[some[index]].as_ref().map(|asked| self.gathered(&asked.seen, asked.error_factor));
+            let AskedPlace { seen, error_factor, .. } = asked[open[index]];
+            let light = self.gatherer.gathered(seen, *error_factor);
             count.add();
             light
         };
-        work.ranks.map_even(PartName::GatheredLight, some.len(), 1, one)
-    }
-
-    /// Makes the lattices of the surfaces of these places.
-    fn prepare<'b>(&mut self, places: impl Iterator<Item = &'b AskedPlace>) {
-        let surfaces: BTreeSet<usize> = places.map(|asked| asked.seen.place.surface).collect();
-        for surface in surfaces {
-            let make = || Lattice::of(self.elements, surface, self.diagonal);
-            self.lattices.entry(surface).or_insert_with(make);
+        let gathered = work.ranks.map_even(PartName::GatheredLight, open.len(), 1, one);
+        let mut lights: Vec<Vec<f64>> =
+            known.into_iter().map(|known| known.map_or_else(Vec::new, |known| known.light.bands)).collect();
+        for (index, light) in open.into_iter().zip(gathered) {
+            lights[index] = light.light.bands;
         }
+        lights
     }
 
     /// Computes the light of the nodes of a lattice about these places that is not known yet.
@@ -201,36 +216,20 @@ impl<'a> LightField<'a> {
         wanted.sort_unstable();
         wanted.dedup();
         wanted.retain(|node| !self.nodes.contains_key(node));
-        let count = PixelCount::new(wanted.len(), Stage::GatheredPixels, work);
-        let node = |place: usize| {
-            let node = self.node(wanted[place]);
-            count.add();
-            node
+        let spots: Vec<Spot> = wanted.iter().copied().map(Spot::Node).collect();
+        let computed = match &mut self.source {
+            Some(source) => source.spots(&spots, work),
+            None => self.gatherer.spots(&spots, work),
         };
-        let computed: Vec<Option<Node>> = work.ranks.map_even(PartName::GatheredLight, wanted.len(), 1, node);
         self.nodes.extend(wanted.into_iter().zip(computed));
     }
 
-    /// The light of a node; None where no open place is near, and in narrow gaps.
-    fn node(&self, node: NodeIndex) -> Option<Node> {
-        let seen = self.lattices[&node.surface].place(self.elements, node, self.diagonal)?;
-        if self.light.is_in_gap(&seen) {
-            return None;
-        }
-        Some(Node { seen, light: self.gathered(&seen, 1.0) })
-    }
-
-    /// The light of a place with `error_factor` times the usual error.
-    fn gathered(&self, seen: &SeenPlace, error_factor: f64) -> ComputedLight {
-        self.light.rest(seen, &self.light.direct(seen, None, AT_NODES).bands, error_factor)
-    }
-
     fn lattice(&self, asked: &AskedPlace) -> &Lattice {
-        &self.lattices[&asked.seen.place.surface]
+        self.gatherer.lattice(asked.seen.place.surface)
     }
 
-    /// The light of a place by the nodes of a lattice around it; None where all of it is wanted from a finer one.
-    fn fitted(&self, asked: &AskedPlace, level: u32) -> Option<FittedLight> {
+    /// The light of a place by the nodes of a lattice around it.
+    fn fitted(&self, asked: &AskedPlace, level: u32) -> FittedLight {
         let lattice = self.lattice(asked);
         let fit = self.fit(lattice, asked, level);
         let is_enclosed = lattice
@@ -244,13 +243,10 @@ impl<'a> LightField<'a> {
         match found {
             Some(found) if trust >= TRUSTED || (trust > 0.0 && !is_last) => {
                 let bands = found.value.iter().map(|value| value.max(0.0)).collect();
-                Some(FittedLight { bands, trust: if is_last { 1.0 } else { trust } })
+                FittedLight::Found { bands, trust: if is_last { 1.0 } else { trust } }
             }
-            _ if is_last => {
-                let bands = self.gathered(&asked.seen, asked.error_factor).bands;
-                Some(FittedLight { bands, trust: 1.0 })
-            }
-            _ => None,
+            _ if is_last => FittedLight::Alone,
+            _ => FittedLight::Finer,
         }
     }
 
@@ -270,7 +266,7 @@ impl<'a> LightField<'a> {
     }
 
     /// A node that is computed.
-    fn known(&self, node: &NodeIndex) -> Option<&Node> {
+    fn known(&self, node: &NodeIndex) -> Option<&SpotLight> {
         self.nodes.get(node)?.as_ref()
     }
 
@@ -279,7 +275,7 @@ impl<'a> LightField<'a> {
         let mut fit = Fit::new();
         let seen = &asked.seen;
         for node in lattice.around(seen.place.parameters, level) {
-            let Some(Node { seen: there, light }) = self.known(&node) else { continue };
+            let Some(SpotLight { seen: there, light, .. }) = self.known(&node) else { continue };
             let weight = lattice.weight(seen.place.parameters, there.place.parameters, level);
             if weight > 0.0 && seen.goes_with(there) {
                 fit.take(offset(seen, there), weight, &light.bands, light.error);

@@ -84,13 +84,9 @@ impl<'a> PictureLight<'a> {
     /// The light of `solution`, as it is read to about the relative accuracy `eps`.
     pub(crate) fn new(solution: &'a Solution, visibility: &'a Visibility, read: ReadMode, eps: f64) -> Self {
         let twice = read == ReadMode::GatherTwice;
-        let rest = match read {
-            ReadMode::Basis | ReadMode::Direct => None,
-            _ => {
-                let auto = GatherMethod::Auto;
-                Some(auto.gathering(solution, visibility, eps, AVERAGED, f64::INFINITY, twice))
-            }
-        };
+        let gathering =
+            || GatherMethod::Auto.gathering(solution, visibility, eps, AVERAGED, f64::INFINITY, twice);
+        let rest = Self::is_gathered(read).then(gathering);
         let emitters = solution.emitters();
         let direct = match read {
             ReadMode::Basis => DirectSource::None,
@@ -106,6 +102,11 @@ impl<'a> PictureLight<'a> {
     /// This light, of which a picture shows the quantity `shown`, as seen from the point `eye`.
     pub(crate) fn showing(self, shown: Quantity, eye: DVec3) -> Self {
         Self { shown, eye: Some(eye), ..self }
+    }
+
+    /// Whether the rest of light that is `read` so is gathered.
+    pub(crate) fn is_gathered(read: ReadMode) -> bool {
+        !matches!(read, ReadMode::Basis | ReadMode::Direct)
     }
 
     /// Whether the rest is gathered: then it is dear, and smooth across elements.

@@ -21,7 +21,6 @@ use super::frame_light::frame::Frame;
 use super::light_field::LightField;
 use super::oversampling::Oversampling;
 use super::picture_light::{AVERAGED, GATHERED_FOR_PICTURES, PictureLight};
-use super::pinhole::Pinhole;
 use super::pixel_count::PixelCount;
 use super::raster::Raster;
 use super::shot::{Pixel, Shot};
@@ -59,7 +58,7 @@ pub fn render(
     work: &Work<'_>,
 ) -> Raster {
     let light = PictureLight::new(solution, visibility, read, GATHERED_FOR_PICTURES);
-    taken(&light.showing(shown, camera.eye), visibility, camera, samples, work)
+    alone(&light.showing(shown, camera.eye), visibility, camera, samples, work)
 }
 
 /// As [`render`], to the relative accuracy [`ACCURACY_OF_PREVIEWS`]: in less time, to look around.
@@ -73,36 +72,41 @@ pub fn preview(
     work: &Work<'_>,
 ) -> Raster {
     let light = PictureLight::new(solution, visibility, read, ACCURACY_OF_PREVIEWS);
-    taken(&light.showing(shown, camera.eye), visibility, camera, samples, work)
+    alone(&light.showing(shown, camera.eye), visibility, camera, samples, work)
 }
 
-/// The picture of this light through `camera`.
-fn taken(
+/// The picture of this light through `camera`, which no other one shares its light with.
+fn alone(
     light: &PictureLight,
     visibility: &Visibility,
     camera: &Camera,
     samples: u32,
     work: &Work<'_>,
 ) -> Raster {
-    let solution = light.solution();
-    let eye = Eye { elements: solution.elements(), visibility, diagonal: visibility.bounds().diagonal() };
-    let [width, height] = [camera.width as usize, camera.height as usize];
-    let shot = Shot { light, eye: &eye, view: Pinhole::new(camera), size: [width, height], samples, work };
-    if width * height >= FORECAST_FROM {
+    let eye = Eye::of(light.solution(), visibility);
+    let shot = Shot::through(camera, light, &eye, samples, work);
+    if shot.size.iter().product::<usize>() >= FORECAST_FROM {
         work.report(Progress::Expected { stage: Stage::Picture, seconds: shot.seconds() });
     }
-    let at_once = (AT_ONCE / width).max(1);
-    let done = PixelCount::new(width * height, Stage::Picture, work);
-    let strips = (0..height).step_by(at_once).map(|first| first..(first + at_once).min(height));
     let mut field = light.gathers().then(|| LightField::new(light, eye.diagonal));
-    let mut pixels: Vec<Pixel> = strips.flat_map(|rows| strip(&shot, rows, field.as_mut(), &done)).collect();
-    let bands = solution.bands().iter().map(|band| band.name.clone()).collect();
+    taken(&shot, field.as_mut())
+}
+
+/// The picture of a shot with light that `field` gathers.
+pub(super) fn taken(shot: &Shot, mut field: Option<&mut LightField>) -> Raster {
+    let [width, height] = shot.size;
+    let at_once = (AT_ONCE / width).max(1);
+    let done = PixelCount::new(width * height, Stage::Picture, shot.work);
+    let strips = (0..height).step_by(at_once).map(|first| first..(first + at_once).min(height));
+    let mut pixels: Vec<Pixel> =
+        strips.flat_map(|rows| strip(shot, rows, field.as_deref_mut(), &done)).collect();
+    let bands = shot.light.solution().bands().iter().map(|band| band.name.clone()).collect();
     let values = pixels.iter().flat_map(|pixel| &pixel.radiosity).copied().collect();
     let coverage = pixels.iter().map(|pixel| pixel.coverage).collect();
     let samples = pixels.iter_mut().map(|pixel| pixel.samples.take()).enumerate();
     let samples = samples.filter_map(|(index, samples)| Some((index, samples?))).collect();
     let emitters = pixels.iter().map(|pixel| pixel.emits).collect();
-    Raster::new([camera.width, camera.height], bands, values, coverage)
+    Raster::new(shot.size.map(|pixels| pixels as u32), bands, values, coverage)
         .with_samples(samples)
         .with_emitters(emitters)
 }

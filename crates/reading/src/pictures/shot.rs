@@ -1,5 +1,6 @@
 //! A picture about to be taken, and its pixels.
 
+use radiosity_scene::Camera;
 use radiosity_work::Work;
 use serde::{Deserialize, Serialize};
 
@@ -39,7 +40,19 @@ pub(super) struct Shot<'a> {
     pub work: &'a Work<'a>,
 }
 
-impl Shot<'_> {
+impl<'a> Shot<'a> {
+    /// The shot of `light` through a camera, with so many rays along each side of a pixel that is sampled finely.
+    pub(super) fn through(
+        camera: &Camera,
+        light: &'a PictureLight<'a>,
+        eye: &'a Eye<'a>,
+        samples: u32,
+        work: &'a Work<'a>,
+    ) -> Self {
+        let size = [camera.width as usize, camera.height as usize];
+        Self { light, eye, view: Pinhole::new(camera), size, samples, work }
+    }
+
     /// About the seconds that the picture takes.
     pub(super) fn seconds(&self) -> f64 {
         let [width, height] = self.size;

@@ -23,7 +23,7 @@ const FEWEST_CURVED: usize = 4;
 
 /// A node of the lattices of a surface.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub(super) struct NodeIndex {
+pub(crate) struct NodeIndex {
     /// Index of the surface.
     pub surface: usize,
     /// Place in its finest lattice.

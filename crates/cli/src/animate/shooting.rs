@@ -1,0 +1,167 @@
+//! The frames of a film in turn: solved stretch by stretch, then read and shown.
+
+use std::time::Instant;
+
+use radiosity_reading::pictures::film::{Film, FilmError};
+use radiosity_reading::reader::ReadMode;
+use radiosity_scene::Scene;
+use radiosity_solve::animation::follower::Follower;
+use radiosity_work::Work;
+
+use super::frames::FrameRange;
+use super::shutter::{Shutter, SolvedFrame};
+use super::time_left::TimeLeft;
+use crate::error::CliError;
+use crate::progress::Progress;
+
+/// A film while it is made.
+pub(super) struct Shooting<'a> {
+    shutter: Shutter<'a>,
+    scene: &'a Scene,
+    follower: Follower<'a>,
+    range: FrameRange,
+    progress: &'a Progress,
+    work: &'a Work<'a>,
+    /// Pictures with the light that they share; None before the first frame is solved, and where none are asked for.
+    film: Option<Film<'a>>,
+    /// None before the first frame is solved.
+    time: Option<TimeLeft>,
+    begun: Instant,
+    made: usize,
+    /// Number of frames that were made when the time left was told.
+    told: usize,
+}
+
+/// Frames after which the time that is left is told. Chosen.
+const TOLD_EACH: usize = 16;
+
+/// A film that is made.
+pub(super) struct Shot<'a> {
+    pub shutter: Shutter<'a>,
+    pub follower: Follower<'a>,
+    /// Number of frames that were made.
+    pub made: usize,
+    /// Source of the light of pictures, if there are any.
+    pub read: Option<ReadMode>,
+    /// Error of light that frames share.
+    pub error: FilmError,
+}
+
+impl<'a> Shooting<'a> {
+    /// A film of the frames of a range, of which none is solved.
+    pub(super) fn new(
+        shutter: Shutter<'a>,
+        scene: &'a Scene,
+        follower: Follower<'a>,
+        range: FrameRange,
+        progress: &'a Progress,
+        work: &'a Work<'a>,
+    ) -> Self {
+        let begun = Instant::now();
+        Self {
+            shutter,
+            scene,
+            follower,
+            range,
+            progress,
+            work,
+            film: None,
+            time: None,
+            begun,
+            made: 0,
+            told: 0,
+        }
+    }
+
+    /// Solves all frames of which anything is wanted, and makes it.
+    pub(super) fn shoot(mut self) -> Result<Shot<'a>, CliError> {
+        let [first, _] = self.range.ends();
+        let is_wanted = |number: &usize| self.shutter.wants(*number, *number == first);
+        let wanted: Vec<usize> = self.range.numbers().filter(is_wanted).collect();
+        let mut solved = Vec::new();
+        if !wanted.is_empty() {
+            solved.push(self.solved(first)?);
+            self.begin(&solved[0], wanted.len())?;
+        }
+        for [from, to] in self.range.stretches(self.film.as_ref().map_or(0, Film::stretch)) {
+            let own = |number: &&usize| {
+                (from..=to).contains(*number) && (**number > from || from == first || from == to)
+            };
+            let own: Vec<usize> = wanted.iter().filter(own).copied().collect();
+            if own.is_empty() {
+                continue;
+            }
+            solved.retain(|own: &SolvedFrame| (from..=to).contains(&own.number));
+            for number in from..=to {
+                if solved.iter().all(|own| own.number != number) {
+                    solved.push(self.solved(number)?);
+                }
+            }
+            self.take(&solved, &own, first)?;
+            self.tell(wanted.len());
+        }
+        let Self { shutter, follower, film, made, .. } = self;
+        let error = film.as_ref().map(Film::error).unwrap_or_default();
+        Ok(Shot { shutter, follower, made, read: film.as_ref().map(Film::read), error })
+    }
+
+    /// The light of a frame.
+    fn solved(&mut self, number: usize) -> Result<SolvedFrame, CliError> {
+        self.progress.say_whole(self.standing());
+        Ok(SolvedFrame { number, frame: self.follower.frame(number, self.work)? })
+    }
+
+    /// Begins the film of so many frames with the first one, and tells about how long it takes.
+    fn begin(&mut self, first: &SolvedFrame, count: usize) -> Result<(), CliError> {
+        let solving = self.begun.elapsed().as_secs_f64();
+        let (shutter, scene, ranks) = (&self.shutter, self.scene, self.work.ranks);
+        let mut pictures = 0.0;
+        if shutter.files.is_some() {
+            let film = shutter.film(scene, &first.frame);
+            let shown = shutter.shown(first, true);
+            pictures = shutter.asked.in_threads(ranks, || film.seconds(&shown, &Work::among(ranks)))?;
+            self.film = Some(film);
+        }
+        let time = TimeLeft::new(self.begun, count, solving + pictures);
+        self.progress.announce(&format!("{count} frames"), time.seconds(0));
+        self.time = Some(time);
+        Ok(())
+    }
+
+    /// Takes what is wanted of a stretch.
+    fn take(&mut self, solved: &[SolvedFrame], wanted: &[usize], first: usize) -> Result<(), CliError> {
+        let Self { shutter, film, progress, range, time, begun, work, .. } = self;
+        let mut made = self.made;
+        let count = range.count();
+        let mut one = || {
+            made += 1;
+            progress.say_whole(standing(made, count, *begun, time.as_ref()));
+        };
+        let asked = shutter.asked;
+        asked.in_threads(work.ranks, || shutter.record(solved, wanted, film.as_mut(), first, &mut one))??;
+        self.made = made;
+        Ok(())
+    }
+
+    /// Tells about how long what is left of so many frames takes, every so often.
+    fn tell(&mut self, count: usize) {
+        let is_due = self.made >= self.told + TOLD_EACH && self.made < count;
+        if let Some(time) = self.time.filter(|_| is_due) {
+            let left = time.seconds(self.made);
+            self.progress.announce(&format!("{} of {count} frames are made, the others", self.made), left);
+            self.told = self.made;
+        }
+    }
+
+    fn standing(&self) -> String {
+        standing(self.made, self.range.count(), self.begun, self.time.as_ref())
+    }
+}
+
+/// Progress of the frames in words: so many of `count` were made, and about how long the others take.
+fn standing(made: usize, count: usize, begun: Instant, time: Option<&TimeLeft>) -> String {
+    let rate = made as f64 / begun.elapsed().as_secs_f64();
+    let rate = if made > 0 { format!(", {rate:.2} a second") } else { String::new() };
+    let left = time.map(|time| format!(", {:.0} s left", time.seconds(made))).unwrap_or_default();
+    format!("; {made} of {count} frames{rate}{left}")
+}
