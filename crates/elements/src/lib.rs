@@ -15,6 +15,7 @@
 //! Imports `core`, `geom`, `work`, `scene` and `visibility`.
 
 pub mod cells;
+pub mod extent;
 pub mod columns;
 pub mod patch;
 pub mod frame;

@@ -128,7 +128,13 @@ impl<'a> DirectPass<'a> {
         let at = self.frame.place(pixel);
         let first = at.map(|at| (at / STEP) as isize);
         for (i, j) in (-1..=2).flat_map(|j| (-1..=2).map(move |i| (first[0] + i, first[1] + j))) {
-            let Some(node) = self.frame.pixel([i, j].map(|at| at * STEP as isize)) else { continue };
+            let Some(node) = self.frame.pixel([i, j].map(|at| at * STEP as isize)) else {
+                // Beyond the last of the grid nothing says what light does.
+                if is_corner([i, j], at) {
+                    return None;
+                }
+                continue;
+            };
             let beside = self.frame.seen(node).filter(|there| seen.goes_with(there));
             let (PixelLight::Computed(lit), Some(there)) = (&self.pixels[node], beside) else {
                 if is_corner([i, j], at) {

@@ -76,8 +76,8 @@ impl FitResult {
         if self.amplified > AMPLIFIED {
             return f64::INFINITY;
         }
-        let left = self.residual.max(self.bend / BENT);
-        (left * left - self.noise * self.noise).max(0.0).sqrt()
+        let beside_noise = |of: f64| (of * of - self.noise * self.noise).max(0.0).sqrt();
+        beside_noise(self.residual).max(beside_noise(self.bend) / BENT)
     }
 }
 
