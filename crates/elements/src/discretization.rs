@@ -45,3 +45,14 @@ pub enum Subdivide {
         rays: u64,
     },
 }
+
+impl Subdivide {
+    /// Whether surfaces are cut where things before them make steps of light too.
+    pub(super) fn follows_light(self) -> bool {
+        match self {
+            Self::Auto { occluded } => occluded,
+            Self::Graded { .. } => true,
+            Self::Uniform(_) => false,
+        }
+    }
+}

@@ -33,6 +33,7 @@ pub mod coating;
 pub mod mesh;
 mod discretization;
 mod dividers;
+mod shaded_parts;
 mod resolution;
 pub mod sampling;
 
@@ -46,6 +47,7 @@ use radiosity_visibility::covered_parts::{CoveredPart, CoveredParts, without};
 use radiosity_visibility::footprints::bare_shapes;
 use radiosity_visibility::tolerances::NARROW_PIECE;
 use radiosity_work::interruption::check_interrupt;
+use shaded_parts::ShadedParts;
 
 use basis::HIGHEST_ORDER;
 pub use discretization::{Discretization, Subdivide};
@@ -145,11 +147,13 @@ impl Elements {
         covered_parts: &CoveredParts,
         before: Option<&Self>,
     ) -> Result<Self, ElementError> {
+        let shaded_parts = shaded_parts(scene, how, covered_parts);
         let mut list = Vec::new();
         let mut surfaces = Vec::new();
         for (index, (surface, shape)) in scene.surfaces.iter().zip(shapes).enumerate() {
             let own: Vec<&CoveredPart> = covered_parts.of_surface(index).collect();
-            let is_bare = own.is_empty();
+            let shaded = shaded_parts.of_surface(index);
+            let is_bare = own.is_empty() && shaded.is_empty();
             if let Some(copy) =
                 before.filter(|_| is_bare).and_then(|before| before.copied(index, &shape, &mut list))
             {
@@ -161,10 +165,11 @@ impl Elements {
             if order > HIGHEST_ORDER {
                 return Err(ElementError::Order { order });
             }
+            let holes: Vec<&Vec<DVec3>> =
+                own.iter().flat_map(|part| &part.pieces).chain(shaded.iter().flatten()).collect();
             let pieces =
-                Pieces::new(shape.region().map_or_else(Vec::new, |region| open_pieces(region, &own)));
-            let mut maker =
-                ElementMaker { index, surface, space: how.space, covered_parts: &own, list: &mut list };
+                Pieces::new(shape.region().map_or_else(Vec::new, |region| open_pieces(region, &holes)));
+            let mut maker = ElementMaker { index, surface, space: how.space, is_bare, list: &mut list };
             let elements = tree.map(&Rect::FULL, &mut |rect, order| {
                 check_interrupt();
                 let pieces = pieces.over(shape.as_ref(), rect);
@@ -174,6 +179,10 @@ impl Elements {
             for CoveredPart { pieces, contact, .. } in &own {
                 let part = Part { shape: &shape, pieces, rect: Rect::FULL, contact: Some(*contact) };
                 covered.extend(maker.made(part, order)?);
+            }
+            for pieces in shaded {
+                let part = Part { shape: &shape, pieces, rect: Rect::FULL, contact: None };
+                covered.extend(maker.made(part, 0)?);
             }
             let places =
                 Bvh::build(&covered.iter().map(|index| around_cover(&list[*index])).collect::<Vec<_>>());
@@ -340,14 +349,15 @@ struct ElementMaker<'a> {
     index: usize,
     surface: &'a SceneSurface,
     space: Space,
-    covered_parts: &'a [&'a CoveredPart],
+    /// Whether no part of it is covered or shaded.
+    is_bare: bool,
     list: &'a mut Vec<Element>,
 }
 
 impl ElementMaker<'_> {
     /// Appends the element of a part to the list; its index, or None where the part is empty.
     fn made(&mut self, part: Part, order: usize) -> Result<Option<usize>, ElementError> {
-        let is_whole = part.rect == Rect::FULL && self.covered_parts.is_empty();
+        let is_whole = part.rect == Rect::FULL && self.is_bare;
         let found = match element(self.index, self.surface, part, self.space, order) {
             // Beside a cut or a covered part the rest may be a sliver, for which a constant is enough.
             Err(ElementError::Thin { .. }) if !is_whole => {
@@ -362,13 +372,18 @@ impl ElementMaker<'_> {
     }
 }
 
-/// Convex pieces of a flat surface outside its `covered_parts`.
-fn open_pieces(region: &PlanarRegion, covered_parts: &[&CoveredPart]) -> Vec<Vec<DVec3>> {
+/// Convex pieces of a flat surface outside of convex `holes`.
+fn open_pieces(region: &PlanarRegion, holes: &[&Vec<DVec3>]) -> Vec<Vec<DVec3>> {
     let whole = region.convex_pieces().to_vec();
-    let open = without(whole, covered_parts.iter().copied(), region.normal());
+    let open = without(whole, holes.iter().copied(), region.normal());
     open.into_iter()
-        .filter(|piece| covered_parts.is_empty() || polygon_width(piece) > NARROW_PIECE * region.extent())
+        .filter(|piece| holes.is_empty() || polygon_width(piece) > NARROW_PIECE * region.extent())
         .collect()
+}
+
+/// The shaded parts of all surfaces; none where a number of elements is asked for.
+fn shaded_parts(scene: &Scene, how: &Discretization, covered_parts: &CoveredParts) -> ShadedParts {
+    if how.subdivide.follows_light() { ShadedParts::of(scene, covered_parts) } else { ShadedParts::default() }
 }
 
 /// Where the coefficients of each element start, and their number.
@@ -395,9 +410,10 @@ pub struct CutSize {
 pub fn cut_sizes(scene: &Scene, how: &Discretization) -> Vec<CutSize> {
     let resolution = Resolution::new(scene, how);
     let covered_parts = CoveredParts::new(scene);
+    let shaded_parts = shaded_parts(scene, how, &covered_parts);
     let size = |(index, surface): (usize, &SceneSurface)| {
         let [along, across] = resolution.breaks(index, surface).map(|breaks| (breaks.len() - 1) as u64);
-        let covered = covered_parts.of_surface(index).len() as u64;
+        let covered = (covered_parts.of_surface(index).len() + shaded_parts.of_surface(index).len()) as u64;
         let functions = how.space.count(resolution.order(index, surface)) as u64;
         CutSize { elements: along * across + covered, functions }
     };
@@ -407,11 +423,12 @@ pub fn cut_sizes(scene: &Scene, how: &Discretization) -> Vec<CutSize> {
 /// Upper bounds of the elements of each surface of a mesh, and about the functions on each.
 pub fn mesh_sizes(scene: &Scene, how: &Discretization, mesh: &Mesh) -> Vec<CutSize> {
     let covered_parts = CoveredParts::new(scene);
+    let shaded_parts = shaded_parts(scene, how, &covered_parts);
     let size = |(index, tree): (usize, &Tree<usize>)| {
         let orders = tree.values();
         let squares: usize = orders.iter().map(|order| how.space.count(**order).pow(2)).sum();
         let functions = (squares as f64 / orders.len() as f64).sqrt().ceil() as u64;
-        let covered = covered_parts.of_surface(index).len();
+        let covered = covered_parts.of_surface(index).len() + shaded_parts.of_surface(index).len();
         CutSize { elements: (orders.len() + covered) as u64, functions }
     };
     mesh.surfaces().iter().enumerate().map(size).collect()

@@ -51,10 +51,7 @@ impl<'a> Resolution<'a> {
             Subdivide::Graded { .. } => shares(scene),
             Subdivide::Auto { .. } | Subdivide::Uniform(_) => Vec::new(),
         };
-        let dividers = match how.subdivide {
-            Subdivide::Auto { occluded: false } | Subdivide::Uniform(_) => None,
-            Subdivide::Auto { occluded: true } | Subdivide::Graded { .. } => Some(Dividers::of(scene)),
-        };
+        let dividers = how.subdivide.follows_light().then(|| Dividers::of(scene));
         Self { how: *how, extent, shares, dividers }
     }
 

@@ -71,14 +71,13 @@ impl CoveredParts {
     }
 }
 
-/// The parts of the convex `pieces` outside the `covered_parts` of their surface; `normal` is the unit normal
-/// of its front.
+/// The parts of the convex `pieces` of a surface outside of convex `holes`; `normal` is the unit normal of its front.
 pub fn without<'a>(
     pieces: Vec<Vec<DVec3>>,
-    covered_parts: impl Iterator<Item = &'a CoveredPart>,
+    holes: impl IntoIterator<Item = &'a Vec<DVec3>>,
     normal: DVec3,
 ) -> Vec<Vec<DVec3>> {
-    let holes: Vec<&[DVec3]> = covered_parts.flat_map(|part| &part.pieces).map(Vec::as_slice).collect();
+    let holes: Vec<&[DVec3]> = holes.into_iter().map(Vec::as_slice).collect();
     if holes.is_empty() {
         return pieces;
     }
@@ -231,8 +230,8 @@ impl Finder<'_> {
         let mut places: Vec<usize> =
             near.filter_map(|other| self.between.get(&[surface, other])).flatten().copied().collect();
         places.sort_unstable();
-        let covered_parts = places.into_iter().map(|place| &self.list[place]);
-        without(pieces, covered_parts, self.sheets.region(surface).normal())
+        let holes = places.into_iter().flat_map(|place| &self.list[place].pieces);
+        without(pieces, holes, self.sheets.region(surface).normal())
     }
 
     /// Appends what the second surface covers of the first.
@@ -275,19 +274,17 @@ mod tests {
                     let size = 0.3 * (0.1 + size);
                     DVec3::new(far + x + size * cos, y + size * sin, far + 1e-6 * height)
                 };
-                vec![(0..3).map(corner).collect::<Vec<DVec3>>()]
+                (0..3).map(corner).collect::<Vec<DVec3>>()
             };
             let at = |x: f64, y: f64| DVec3::new(far + x, y, far);
             let square = |x: f64| vec![at(x, 0.0), at(x + 0.5, 0.0), at(x + 0.5, 1.0), at(x, 1.0)];
             let pieces = vec![square(0.0), square(0.5)];
-            let parts: Vec<CoveredPart> = (places.into_iter().map(triangle))
-                .map(|pieces| CoveredPart { surface: 0, pieces, contact: 0 })
-                .collect();
-            let cut = |rest: Vec<Vec<DVec3>>, part: &CoveredPart| {
-                rest.iter().flat_map(|piece| difference(piece, &part.pieces[0], DVec3::Z)).collect()
+            let holes: Vec<Vec<DVec3>> = places.into_iter().map(triangle).collect();
+            let cut = |rest: Vec<Vec<DVec3>>, hole: &Vec<DVec3>| {
+                rest.iter().flat_map(|piece| difference(piece, hole, DVec3::Z)).collect()
             };
-            let expected = parts.iter().fold(pieces.clone(), cut);
-            prop_assert_eq!(without(pieces, parts.iter(), DVec3::Z), expected);
+            let expected = holes.iter().fold(pieces.clone(), cut);
+            prop_assert_eq!(without(pieces, &holes, DVec3::Z), expected);
         }
     }
 }

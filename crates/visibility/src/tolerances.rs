@@ -16,6 +16,14 @@ pub const OWN_END: f64 = 1e-6;
 /// reaches would be missing.
 pub const NARROW_PIECE: f64 = 1e-6;
 
+/// Height of a gap over the diagonals of the surfaces at both sides up to which it is narrow: then about its square of
+/// the light outside comes to its middle. Chosen.
+pub const NARROW_GAP: f64 = 0.03;
+
+/// Height of a gap over the diagonal of the scene up to which it is narrow: mats lie closer, and storeys, however wide,
+/// are higher. Chosen.
+pub const NARROW_GAP_IN_SCENE: f64 = 0.01;
+
 /// Part of a surface's area that has to be left beside footprints, and by which a footprint has to be smaller
 /// than its surface: less is rounding.
 pub(crate) const LEFT_BESIDE_FOOTPRINTS: f64 = 1e-6;

@@ -5,7 +5,7 @@ use std::fmt::Write;
 
 use radiosity::Work;
 use radiosity::kernel::Accuracy;
-use radiosity::solve::Options;
+use radiosity::solve::{Options, Transport};
 use radiosity::transport;
 use radiosity::visibility::{Shadows, Visibility};
 use radiosity_core::dot;
@@ -117,5 +117,32 @@ parallelogram = {{ origin = [{wall}, 0, 0], edge1 = [0, 2, 0], edge2 = [0, 0, 2]
             }
         }
         assert!((received / 8.0 - 1.0).abs() < 2e-3, "{received}");
+    }
+}
+
+/// A lamp of one side hangs h = 5 mm below the middle of the ceiling of a cube. What is lost at its black back came
+/// into the gap through the four openings of length 1 and height h, in at most the light of the brightest place: less
+/// than 4 h E of the power M, with E < M/4.
+#[test]
+fn what_is_close_to_a_ceiling_takes_no_light_of_it() {
+    let scene = typed(
+        r#"
+bands = ["lm"]
+materials.grey = { reflectance = 0.5 }
+materials.shining = { reflectance = 0.5, emission = 1 }
+[[surfaces]]
+name = "room"
+material = "grey"
+box = { origin = [0, 0, 0], size = [2, 2, 2], inward = true }
+[[surfaces]]
+name = "lamp"
+material = "shining"
+parallelogram = { origin = [0.5, 0.5, 1.995], edge1 = [0, 1, 0], edge2 = [1, 0, 0] }
+"#,
+    );
+    for transport in [Transport::Exact, Transport::Sampled] {
+        let outcome = outcome_of(&scene, &Options { transport, ..Options::default() });
+        let lost = outcome.checks.energy_lost / outcome.checks.energy_in;
+        assert!(lost.abs() < 5e-3, "{transport:?}: {lost}");
     }
 }

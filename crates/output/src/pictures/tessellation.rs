@@ -66,7 +66,10 @@ fn open_pieces(region: &PlanarRegion, covered_parts: &[&CoveredPart]) -> Vec<Vec
     match PlanarRegion::new(region.outer().to_vec(), holes) {
         Ok(open) => open.convex_pieces().to_vec(),
         // Covered parts that reach the border, or lie beside each other, are no holes.
-        Err(_) => without(region.convex_pieces().to_vec(), covered_parts.iter().copied(), region.normal()),
+        Err(_) => {
+            let holes = covered_parts.iter().flat_map(|part| &part.pieces);
+            without(region.convex_pieces().to_vec(), holes, region.normal())
+        }
     }
 }
 

@@ -76,7 +76,11 @@ const BY_WALKS: f64 = 5e-3;
 /// room was that of the rays, with 5e-3 an office of 200 sensors took a quarter longer.
 pub(super) const ANEW: f64 = 7e-3;
 
-/// The doubtful places of a scene whose surfaces cast shadows.
+/// As [`ANEW`], where nothing stands between the walls of a room: few surfaces are cut into few elements, and rays meet
+/// them soon. Measured beside a sun's patch: with 7e-3 a reading of 537 lx was 1.2 % off.
+const ANEW_BETWEEN_WALLS: f64 = 3e-3;
+
+/// The doubtful places of a scene.
 #[derive(Debug)]
 pub(super) struct DoubtfulPlaces<'a> {
     light: Arc<MetLight<'a>>,
@@ -110,7 +114,8 @@ impl<'a> DoubtfulPlaces<'a> {
         let bends = highest.into_iter().zip(list).map(missed).collect();
         let lit = light.usual.iter().map(|usual| SHADOWED * usual).collect();
         let gather = |finest: f64, beyond| RayGather::of(Arc::clone(&light), eps.max(finest), beyond);
-        let shadows = gather(ANEW, Beyond::Trusted).with_dark(lit);
+        let finest = if light.rays.visibility.has_obstacles() { ANEW } else { ANEW_BETWEEN_WALLS };
+        let shadows = gather(finest, Beyond::Trusted).with_dark(lit);
         let walks = gather(BY_WALKS, Beyond::Walked);
         Self { light, gaps, walks, shadows, bends, varying }
     }
@@ -133,9 +138,6 @@ impl<'a> DoubtfulPlaces<'a> {
 
     /// The light of a doubtful point, where so much is `lit` by emitters (W m⁻² per band); None elsewhere.
     pub(super) fn point_anew(&self, receiver: &ReceiverPoint, lit: &[f64]) -> Option<ReadIrradiance> {
-        if !self.light.rays.visibility.has_obstacles() {
-            return None;
-        }
         let looks = self.looks(receiver, &self.varying);
         let all = self.beside_usual(lit) + self.beside_usual(&looks.reflected);
         let least = f64::min(DOUBTFUL * all, UNSURE * all.max(1.0));

@@ -8,16 +8,9 @@ use radiosity_elements::Element;
 use radiosity_geom::{COINCIDENT, Rect};
 use radiosity_light::receiver_point::ReceiverPoint;
 use radiosity_visibility::Visibility;
+use radiosity_visibility::tolerances::{NARROW_GAP, NARROW_GAP_IN_SCENE};
 
 use crate::solution::Solution;
-
-/// Height of a gap over the diagonals of both surfaces up to which it is narrow: then about its square of the light
-/// outside comes to its middle. Chosen.
-const NARROW: f64 = 0.03;
-
-/// Height of a gap over the diagonal of the scene up to which it is narrow: mats lie closer, and storeys, however wide,
-/// are higher. Chosen.
-const NARROW_IN_SCENE: f64 = 0.01;
 
 /// The narrow gaps of a scene.
 #[derive(Clone, Debug)]
@@ -62,10 +55,10 @@ impl<'a> NarrowGaps<'a> {
     /// The surfaces of the narrow gap in which a point of one of them lies; under one that touches it is in none.
     pub(super) fn about(&self, receiver: &ReceiverPoint) -> Option<[usize; 2]> {
         let up = receiver.ground.unwrap_or(receiver.normal);
-        let heights = COINCIDENT * self.diagonal..=NARROW_IN_SCENE * self.diagonal;
+        let heights = COINCIDENT * self.diagonal..=NARROW_GAP_IN_SCENE * self.diagonal;
         let surface = receiver.surface?;
         let met = self.visibility.nearest_from(surface, receiver.position, up)?;
-        let narrow = || NARROW * self.extents[surface].min(self.extents[met.surface]);
+        let narrow = || NARROW_GAP * self.extents[surface].min(self.extents[met.surface]);
         let is_near = met.surface != surface && heights.contains(&met.hit.t) && met.hit.t <= narrow();
         is_near.then_some([surface, met.surface])
     }
