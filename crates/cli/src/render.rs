@@ -36,8 +36,8 @@ use crate::{
     style::{PictureFormat, Style, StyleArgs, StyledPicture},
 };
 
-/// Pixels of a preview. Measured in a classroom of 5800 surfaces and a soda shop of 1700: previews took 2.6 and 0.9 s of
-/// a core, with 96 × 72 pixels 2.3 s in the classroom.
+/// Pixels of a preview. Measured in a classroom of 5800 surfaces and a soda shop of 1700: previews took 2.6 and 0.9 s
+/// of a core, with 96 × 72 pixels 2.3 s in the classroom.
 const PREVIEW_PIXELS: f64 = 128.0 * 96.0;
 
 /// A summary's words on a preview.

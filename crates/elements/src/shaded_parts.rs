@@ -19,7 +19,8 @@ use radiosity_visibility::tolerances::{NARROW_GAP, NARROW_GAP_IN_SCENE, NARROW_P
 /// tell.
 const LEAST: f64 = 1e-3;
 
-/// Part of the area of a surface that gaps hide at most. Chosen: what is nearly all hidden has no other light beside it.
+/// Part of the area of a surface that gaps hide at most. Chosen: what is nearly all hidden has no other light
+/// beside it.
 const MOST: f64 = 0.95;
 
 /// The shaded parts of all surfaces of a scene, each as disjoint convex pieces, counter-clockwise seen from the front.
@@ -27,13 +28,13 @@ const MOST: f64 = 0.95;
 pub(super) struct ShadedParts(Vec<Vec<Vec<Vec<DVec3>>>>);
 
 impl ShadedParts {
-    /// The parts outside of what is covered.
+    /// Finds them, outside of what is covered.
     pub(super) fn of(scene: &Scene, covered_parts: &CoveredParts) -> Self {
         let gaps = Gaps::of(scene);
         Self((0..scene.surfaces.len()).map(|surface| gaps.parts(surface, covered_parts)).collect())
     }
 
-    /// Those of one surface.
+    /// Parts of one surface.
     pub(super) fn of_surface(&self, surface: usize) -> &[Vec<Vec<DVec3>>] {
         self.0.get(surface).map_or(&[], Vec::as_slice)
     }
@@ -93,7 +94,7 @@ impl<'a> Gaps<'a> {
         over.into_iter().map(|(_, other)| other).collect()
     }
 
-    /// Height of the gap between the front of a flat surface and another one; None where there is none, or no narrow one.
+    /// Height of the narrow gap between the front of a flat surface and another one; None where there is none.
     fn height(&self, region: &PlanarRegion, other: &PlanarRegion) -> Option<f64> {
         let is_parallel = region.normal().cross(other.normal()).length() < PARALLEL_PLANES;
         let height = region.height(other.outer()[0]);

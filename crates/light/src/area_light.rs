@@ -49,9 +49,9 @@ const STEEPEST: f64 = 0.2;
 /// Part of the area of a flat surface by which its convex outline may differ. Chosen: chords differ by 1e-5.
 const ALIKE: f64 = 1e-4;
 
-/// Angle h (rad) by which normals and edges turn over the quads of a rough outline: twice that of silhouette meshes. Two
-/// chords for a parabola for an arc of the angle h leave h⁴/180 of a round outline: 1.4e-4, a fortieth of the error that
-/// pictures allow direct light.
+/// Angle h (rad) by which normals and edges turn over the quads of a rough outline: twice that of silhouette meshes.
+/// Two chords for a parabola for an arc of the angle h leave h⁴/180 of a round outline: 1.4e-4, a fortieth of the error
+/// that pictures allow direct light.
 const ROUGH: f64 = 0.4;
 
 /// A side of an outline: two points.

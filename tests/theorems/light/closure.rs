@@ -122,7 +122,7 @@ parallelogram = {{ origin = [{wall}, 0, 0], edge1 = [0, 2, 0], edge2 = [0, 0, 2]
 
 /// A lamp of one side hangs h = 5 mm below the middle of the ceiling of a cube. What is lost at its black back came
 /// into the gap through the four openings of length 1 and height h, in at most the light of the brightest place: less
-/// than 4 h E of the power M, with E < M/4.
+/// than 4 h E of the power M. The ceiling sees what reflects half of at most 0.3 M, so E < 0.15 M.
 #[test]
 fn what_is_close_to_a_ceiling_takes_no_light_of_it() {
     let scene = typed(
@@ -143,6 +143,6 @@ parallelogram = { origin = [0.5, 0.5, 1.995], edge1 = [0, 1, 0], edge2 = [1, 0, 
     for transport in [Transport::Exact, Transport::Sampled] {
         let outcome = outcome_of(&scene, &Options { transport, ..Options::default() });
         let lost = outcome.checks.energy_lost / outcome.checks.energy_in;
-        assert!(lost.abs() < 5e-3, "{transport:?}: {lost}");
+        assert!(lost.abs() < 3e-3, "{transport:?}: {lost}");
     }
 }

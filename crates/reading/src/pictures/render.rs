@@ -37,7 +37,8 @@ const THREADS: f64 = 2.0;
 /// Relative accuracy of recomputed light in previews. Chosen: light by a draft's polynomials errs by as much.
 pub const ACCURACY_OF_PREVIEWS: f64 = 3e-2;
 
-/// Pixels from which on it is told how long a picture takes. Chosen: the forecast itself computes light at some hundred.
+/// Pixels from which on it is told how long a picture takes. Chosen: the forecast itself computes light at some
+/// hundred.
 const FORECAST_FROM: usize = 1 << 14;
 
 /// Pixels that are worked on at once; rows of more before and after them, that neighbours agree: a pixel is

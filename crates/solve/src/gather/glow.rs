@@ -19,7 +19,7 @@ use radiosity_light::lamps::{Lamps, Shares};
 use radiosity_light::receiver_point::ReceiverPoint;
 use radiosity_transport::tolerances::BATCHES;
 
-use crate::gather::ray_gather::FIRST;
+use crate::gather::ray_count::FIRST;
 use crate::solution::Solution;
 
 /// Radiosity over the usual irradiance from which an element glows everywhere. Chosen: of the light of one of that

@@ -22,19 +22,13 @@ use radiosity_light::tolerances::DARK;
 use radiosity_visibility::Visibility;
 
 use crate::gather::met_light::{Ending, Held, MetLight};
-use crate::gather::ray_count::{most_rays, most_walks};
+use crate::gather::ray_count::{FIRST, FIRST_OF_MANY, most_rays, most_walks};
 use crate::gather::ray_estimate::{Batches, Beside};
 use crate::gather::read_irradiance::ReadIrradiance;
 use crate::gather::receiver::Receiver;
 use crate::gather::receiver_rays::{Onward, ReceiverRays};
 use crate::gather::trusted_light::WalkEnds;
 use crate::solution::Solution;
-
-/// Cosine-distributed rays of each sequence before the error is first looked at; in pictures, where readings
-/// beside each other are averaged. Half of the former took errors of 2 % for 1 % at bright points of a
-/// classroom.
-pub(super) const FIRST: u64 = 64;
-const FIRST_OF_MANY: u64 = 32;
 
 /// [`FIRST`] of walks. Chosen: a few of them bring much of the light, and without any the error looks small. As many
 /// are sent at once at first, in case that they are long.

@@ -21,9 +21,9 @@ const TRIAL_GATHERED: usize = 32;
 /// Places that share a list of what may stand before emitters. Measured in an office: 100 to 300.
 const PER_LIST: f64 = 200.0;
 
-/// Nodes of a light field over the square root of the number of places. Measured in pictures of 160 × 120 and 480 × 360:
-/// two boxes 16 and 11, the Cornell box 32 and 23, the teapot 12 and 10, an office 25 and 25; in smaller ones the temple
-/// 45, a cathedral 32, a soda shop 29, a billiard room 12.
+/// Nodes of a light field over the square root of the number of places. Measured in pictures of 160 × 120 and 480
+/// × 360: two boxes 16 and 11, the Cornell box 32 and 23, the teapot 12 and 10, an office 25 and 25; in smaller ones
+/// the temple 45, a cathedral 32, a soda shop 29, a billiard room 12.
 const NODES: f64 = 20.0;
 
 /// Direct light in all over that of the places themselves: samples of pixels at edges take about as much again.

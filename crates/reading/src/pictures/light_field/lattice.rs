@@ -18,9 +18,9 @@ use crate::pictures::eye::SeenPlace;
 /// Side of the first cells over the diagonal of the scene: light in a room varies over some parts of it. Chosen.
 const FIRST: f64 = 1.0 / 16.0;
 
-/// Fewest first cells along a parameter of a flat surface: fits to its corners alone leave little, whatever lies between.
-/// Measured under a backrest of 50 × 6 cm: with one light was 14 % too bright. And of a curved one, on which light
-/// varies with the normal. Chosen.
+/// Fewest first cells along a parameter of a flat surface: fits to its corners alone leave little, whatever lies
+/// between. Measured under a backrest of 50 × 6 cm: with one light was 14 % too bright. And of a curved one, on which
+/// light varies with the normal. Chosen.
 const FEWEST_FLAT: usize = 2;
 const FEWEST_CURVED: usize = 4;
 
