@@ -82,7 +82,7 @@ impl<'a> AreaLight<'a> {
     /// The surface as an area light; None if it is a polygon, may hide itself, or anything but lids stands
     /// close to it.
     pub(crate) fn new(visibility: &'a Visibility, surface: usize) -> Option<Self> {
-        Self::outlined(visibility, surface, |mesh| quads(mesh))
+        Self::outlined(visibility, surface, quads)
     }
 
     /// As [`AreaLight::new`], with an outline that errs by about 1e-4 of the light, and of half as many sides.
