@@ -59,8 +59,12 @@ fn previews_say_what_they_are_and_take_few_pixels_unless_told() {
     }
     let [_, told] = done(folder.path(), &["render", "cornell-box", "--preview", "--audit", "0.1"]);
     assert!(told.contains("checked at"), "{told}");
-    let output = radiosity(folder.path(), &["render", "furnace-cube", "--preview", "--importance"]);
-    assert_eq!(output.status.code(), Some(2));
+    for other in [&["--importance"][..], &["--read", "gather"], &["-o", "p.glb"], &["-o", "p.html"]] {
+        let output =
+            radiosity(folder.path(), &[&["render", "furnace-cube", "--preview"][..], other].concat());
+        assert_eq!(output.status.code(), Some(2), "{other:?}");
+        assert!(String::from_utf8_lossy(&output.stderr).contains("--preview"), "{other:?}");
+    }
 }
 
 #[test]
