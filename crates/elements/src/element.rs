@@ -42,9 +42,21 @@ pub struct Element {
     pub extent: f64,
     /// The contact by which it is covered, if any ([`radiosity_visibility::covered_parts`]).
     pub contact: Option<usize>,
+    /// The surface over the narrow gap in which it lies, if it was cut for that (`shaded_parts`).
+    pub shaded_by: Option<usize>,
 }
 
 impl Element {
+    /// Whether it is a cell of its surface: no part that another surface covers or shades.
+    pub fn is_cell(&self) -> bool {
+        self.contact.is_none() && self.shaded_by.is_none()
+    }
+
+    /// Whether another element is of the same part of its surface: of its cells, or of what one thing covers or shades.
+    pub fn is_of_part(&self, other: &Self) -> bool {
+        (self.contact, self.shaded_by) == (other.contact, other.shaded_by)
+    }
+
     /// Value at a point of the polynomial with the raw coefficients `raw` ([`AreaBasis::to_raw`]).
     ///
     /// `position` matters on flat elements, `parameters` on curved ones.
@@ -120,6 +132,8 @@ pub(super) struct Part<'a> {
     pub rect: Rect,
     /// The contact by which it is covered.
     pub contact: Option<usize>,
+    /// The surface that shades it.
+    pub shaded_by: Option<usize>,
 }
 
 /// The element of one part of the surface number `index`; None where the part is empty (pieces below 1e-14 of
@@ -131,7 +145,7 @@ pub(super) fn element(
     space: Space,
     order: usize,
 ) -> Result<Option<Element>, ElementError> {
-    let Part { shape, pieces, rect, contact } = part;
+    let Part { shape, pieces, rect, contact, shaded_by } = part;
     let thin = || ElementError::Thin { surface: surface.name.clone(), order };
     let (patches, plane) = match shape.region() {
         Some(region) => {
@@ -169,6 +183,7 @@ pub(super) fn element(
         hull,
         extent,
         contact,
+        shaded_by,
     }))
 }
 

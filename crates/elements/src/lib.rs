@@ -47,7 +47,7 @@ use radiosity_visibility::covered_parts::{CoveredPart, CoveredParts, without};
 use radiosity_visibility::footprints::bare_shapes;
 use radiosity_visibility::tolerances::NARROW_PIECE;
 use radiosity_work::interruption::check_interrupt;
-use shaded_parts::ShadedParts;
+use shaded_parts::{ShadedPart, ShadedParts};
 
 use basis::HIGHEST_ORDER;
 pub use discretization::{Discretization, Subdivide};
@@ -147,7 +147,7 @@ impl Elements {
         covered_parts: &CoveredParts,
         before: Option<&Self>,
     ) -> Result<Self, ElementError> {
-        let shaded_parts = shaded_parts(scene, how, covered_parts);
+        let shaded_parts = shaded_parts(scene, how, &shapes, covered_parts);
         let mut list = Vec::new();
         let mut surfaces = Vec::new();
         for (index, (surface, shape)) in scene.surfaces.iter().zip(shapes).enumerate() {
@@ -165,23 +165,29 @@ impl Elements {
             if order > HIGHEST_ORDER {
                 return Err(ElementError::Order { order });
             }
-            let holes: Vec<&Vec<DVec3>> =
-                own.iter().flat_map(|part| &part.pieces).chain(shaded.iter().flatten()).collect();
+            let holes: Vec<&Vec<DVec3>> = own
+                .iter()
+                .flat_map(|part| &part.pieces)
+                .chain(shaded.iter().flat_map(|part| &part.pieces))
+                .collect();
             let pieces =
                 Pieces::new(shape.region().map_or_else(Vec::new, |region| open_pieces(region, &holes)));
             let mut maker = ElementMaker { index, surface, space: how.space, is_bare, list: &mut list };
             let elements = tree.map(&Rect::FULL, &mut |rect, order| {
                 check_interrupt();
                 let pieces = pieces.over(shape.as_ref(), rect);
-                maker.made(Part { shape: &shape, pieces: &pieces, rect: *rect, contact: None }, *order)
+                let part =
+                    Part { shape: &shape, pieces: &pieces, rect: *rect, contact: None, shaded_by: None };
+                maker.made(part, *order)
             })?;
             let mut covered = Vec::new();
+            let whole = Part { shape: &shape, pieces: &[], rect: Rect::FULL, contact: None, shaded_by: None };
             for CoveredPart { pieces, contact, .. } in &own {
-                let part = Part { shape: &shape, pieces, rect: Rect::FULL, contact: Some(*contact) };
+                let part = Part { pieces, contact: Some(*contact), ..whole };
                 covered.extend(maker.made(part, order)?);
             }
-            for pieces in shaded {
-                let part = Part { shape: &shape, pieces, rect: Rect::FULL, contact: None };
+            for ShadedPart { pieces, over } in shaded {
+                let part = Part { pieces, shaded_by: Some(*over), ..whole };
                 covered.extend(maker.made(part, 0)?);
             }
             let places =
@@ -382,8 +388,14 @@ fn open_pieces(region: &PlanarRegion, holes: &[&Vec<DVec3>]) -> Vec<Vec<DVec3>> 
 }
 
 /// The shaded parts of all surfaces; none where a number of elements is asked for.
-fn shaded_parts(scene: &Scene, how: &Discretization, covered_parts: &CoveredParts) -> ShadedParts {
-    if how.subdivide.follows_light() { ShadedParts::of(scene, covered_parts) } else { ShadedParts::default() }
+fn shaded_parts(
+    scene: &Scene,
+    how: &Discretization,
+    shapes: &[Arc<dyn Surface>],
+    covered_parts: &CoveredParts,
+) -> ShadedParts {
+    let follows_light = how.subdivide.follows_light();
+    if follows_light { ShadedParts::of(scene, shapes, covered_parts) } else { ShadedParts::default() }
 }
 
 /// Where the coefficients of each element start, and their number.
@@ -410,7 +422,7 @@ pub struct CutSize {
 pub fn cut_sizes(scene: &Scene, how: &Discretization) -> Vec<CutSize> {
     let resolution = Resolution::new(scene, how);
     let covered_parts = CoveredParts::new(scene);
-    let shaded_parts = shaded_parts(scene, how, &covered_parts);
+    let shaded_parts = shaded_parts(scene, how, &bare_shapes(scene), &covered_parts);
     let size = |(index, surface): (usize, &SceneSurface)| {
         let [along, across] = resolution.breaks(index, surface).map(|breaks| (breaks.len() - 1) as u64);
         let covered = (covered_parts.of_surface(index).len() + shaded_parts.of_surface(index).len()) as u64;
@@ -423,7 +435,7 @@ pub fn cut_sizes(scene: &Scene, how: &Discretization) -> Vec<CutSize> {
 /// Upper bounds of the elements of each surface of a mesh, and about the functions on each.
 pub fn mesh_sizes(scene: &Scene, how: &Discretization, mesh: &Mesh) -> Vec<CutSize> {
     let covered_parts = CoveredParts::new(scene);
-    let shaded_parts = shaded_parts(scene, how, &covered_parts);
+    let shaded_parts = shaded_parts(scene, how, &bare_shapes(scene), &covered_parts);
     let size = |(index, tree): (usize, &Tree<usize>)| {
         let orders = tree.values();
         let squares: usize = orders.iter().map(|order| how.space.count(**order).pow(2)).sum();

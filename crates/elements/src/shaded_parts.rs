@@ -6,10 +6,13 @@
 //! a tenth of a ceiling make it darker by a tenth. So each such part is an element of its own, with a constant: light
 //! in a gap counts little outside of it.
 //!
-//! Surfaces that emit stay whole: their light does not differ by what hides them.
+//! Surfaces that emit stay whole: their light does not differ by what hides them. So do those that let light through,
+//! which depends on both of their sides, and those that state their cells.
+
+use std::sync::Arc;
 
 use radiosity_geom::{
-    Aabb, Bvh, COINCIDENT, DVec3, PARALLEL_PLANES, PlanarRegion, Rect, polygon_area, polygon_width,
+    Aabb, Bvh, COINCIDENT, DVec3, PARALLEL_PLANES, PlanarRegion, Rect, Surface, polygon_area, polygon_width,
 };
 use radiosity_scene::Scene;
 use radiosity_visibility::covered_parts::{CoveredParts, without};
@@ -23,19 +26,30 @@ const LEAST: f64 = 1e-3;
 /// beside it.
 const MOST: f64 = 0.95;
 
-/// The shaded parts of all surfaces of a scene, each as disjoint convex pieces, counter-clockwise seen from the front.
+/// A part of a flat surface that lies in a narrow gap.
+#[derive(Debug)]
+pub(super) struct ShadedPart {
+    /// The part, as disjoint convex pieces, counter-clockwise seen from the surface's front.
+    pub pieces: Vec<Vec<DVec3>>,
+    /// Index of the surface over the gap.
+    pub over: usize,
+}
+
+/// The shaded parts of all surfaces of a scene, in the order of what shades them.
 #[derive(Debug, Default)]
-pub(super) struct ShadedParts(Vec<Vec<Vec<Vec<DVec3>>>>);
+pub(super) struct ShadedParts(Vec<Vec<ShadedPart>>);
 
 impl ShadedParts {
-    /// Finds them, outside of what is covered.
-    pub(super) fn of(scene: &Scene, covered_parts: &CoveredParts) -> Self {
+    /// Finds those of surfaces with these `shapes`, footprints left out, outside of what is covered.
+    pub(super) fn of(scene: &Scene, shapes: &[Arc<dyn Surface>], covered_parts: &CoveredParts) -> Self {
         let gaps = Gaps::of(scene);
-        Self((0..scene.surfaces.len()).map(|surface| gaps.parts(surface, covered_parts)).collect())
+        let of_surface =
+            |(surface, shape): (usize, &Arc<dyn Surface>)| gaps.parts(surface, &**shape, covered_parts);
+        Self(shapes.iter().enumerate().map(of_surface).collect())
     }
 
     /// Parts of one surface.
-    pub(super) fn of_surface(&self, surface: usize) -> &[Vec<Vec<DVec3>>] {
+    pub(super) fn of_surface(&self, surface: usize) -> &[ShadedPart] {
         self.0.get(surface).map_or(&[], Vec::as_slice)
     }
 }
@@ -61,35 +75,36 @@ impl<'a> Gaps<'a> {
         Self { scene, highest: NARROW_GAP_IN_SCENE * all.diagonal(), flat, tree }
     }
 
-    /// The shaded parts of a surface; none of one that emits, or is hidden nearly all or nearly nowhere.
-    fn parts(&self, surface: usize, covered_parts: &CoveredParts) -> Vec<Vec<Vec<DVec3>>> {
+    /// The shaded parts of a surface of this shape; none where it is hidden nearly all or nearly nowhere.
+    fn parts(&self, surface: usize, shape: &dyn Surface, covered_parts: &CoveredParts) -> Vec<ShadedPart> {
         let own = &self.scene.surfaces[surface];
-        let Some(region) = own.shape.region().filter(|_| !own.material.emits()) else { return Vec::new() };
+        let stays = own.material.emits() || own.material.transmits() || own.subdivide.is_some();
+        let Some(region) = shape.region().filter(|_| !stays) else { return Vec::new() };
         let mut holes: Vec<Vec<DVec3>> =
             covered_parts.of_surface(surface).flat_map(|part| part.pieces.clone()).collect();
         let mut parts = Vec::new();
         for over in self.over(surface, region) {
-            let pieces = without(region.common_parts(over).collect(), &holes, region.normal());
+            let Some(upper) = self.scene.surfaces[over].shape.region() else { continue };
+            let pieces = without(region.common_parts(upper).collect(), &holes, region.normal());
             let is_broad = |piece: &Vec<DVec3>| polygon_width(piece) > NARROW_PIECE * region.extent();
             let pieces: Vec<Vec<DVec3>> = pieces.into_iter().filter(is_broad).collect();
             if !pieces.is_empty() {
                 holes.extend(pieces.iter().cloned());
-                parts.push(pieces);
+                parts.push(ShadedPart { pieces, over });
             }
         }
-        let hidden: f64 = parts.iter().flatten().map(|piece| polygon_area(piece)).sum();
+        parts.sort_by_key(|part| part.over);
+        let hidden: f64 = parts.iter().flat_map(|part| &part.pieces).map(|piece| polygon_area(piece)).sum();
         if (LEAST..=MOST).contains(&(hidden / region.area())) { parts } else { Vec::new() }
     }
 
     /// The flat surfaces over a narrow gap before the front of one, the nearest first.
-    fn over(&self, surface: usize, region: &PlanarRegion) -> Vec<&'a PlanarRegion> {
+    fn over(&self, surface: usize, region: &PlanarRegion) -> Vec<usize> {
         let bounds = Aabb::around(region.outer().iter().copied()).inflate(self.highest);
         let near = self.tree.near(&bounds).into_iter().map(|place| self.flat[place]);
         let others = near.filter(|other| *other != surface);
-        let mut over: Vec<(f64, &PlanarRegion)> = others
-            .filter_map(|other| self.scene.surfaces[other].shape.region())
-            .filter_map(|other| Some((self.height(region, other)?, other)))
-            .collect();
+        let height = |other: usize| self.height(region, self.scene.surfaces[other].shape.region()?);
+        let mut over: Vec<(f64, usize)> = others.filter_map(|other| Some((height(other)?, other))).collect();
         over.sort_by(|a, b| a.0.total_cmp(&b.0));
         over.into_iter().map(|(_, other)| other).collect()
     }
@@ -111,7 +126,11 @@ mod tests {
 
     /// Areas of the shaded parts of a wall of 4 × 2, with this emission, behind other surfaces.
     fn areas(emission: f64, others: &str) -> Vec<f64> {
-        let text = format!(
+        areas_of(&text(emission, others))
+    }
+
+    fn text(emission: f64, others: &str) -> String {
+        format!(
             r#"
             bands = ["grey"]
             materials = {{ wall = {{ reflectance = 0.5, emission = {emission} }}, grey = {{ reflectance = 0.5 }} }}
@@ -121,10 +140,15 @@ mod tests {
                 {others}
             ]
             "#
-        );
-        let scene = radiosity_language::read(&Source::new("wall.toml", &text)).expect("it is a scene");
-        let parts = ShadedParts::of(&scene, &CoveredParts::new(&scene));
-        let area = |part: &Vec<Vec<DVec3>>| part.iter().map(|piece| polygon_area(piece)).sum();
+        )
+    }
+
+    fn areas_of(text: &str) -> Vec<f64> {
+        let scene = radiosity_language::read(&Source::new("wall.toml", text)).expect("it is a scene");
+        let shapes: Vec<Arc<dyn Surface>> =
+            scene.surfaces.iter().map(|surface| Arc::clone(&surface.shape)).collect();
+        let parts = ShadedParts::of(&scene, &shapes, &CoveredParts::new(&scene));
+        let area = |part: &ShadedPart| part.pieces.iter().map(|piece| polygon_area(piece)).sum();
         parts.of_surface(0).iter().map(area).collect()
     }
 
@@ -152,6 +176,18 @@ mod tests {
                 .zip(expected)
                 .for_each(|(area, own)| assert!((area - own).abs() < 1e-9, "{found:?}"));
         }
+    }
+
+    /// A rug of 1 × 1, whose foot is no part of the floor, hides nothing but that.
+    #[test]
+    fn footprints_are_no_parts() {
+        let rug = r#" { name = "rug", material = "grey",
+            box = { origin = [1, 0.5, 0], size = [1, 1, 0.01], open = ["bottom"] } },"#;
+        let holed = |text: &str| {
+            text.replace("edge2 = [0, 2, 0] }", &format!("edge2 = [0, 2, 0], holes = {HOLE} }}"))
+        };
+        const HOLE: &str = "[[[1, 0.5, 0], [2, 0.5, 0], [2, 1.5, 0], [1, 1.5, 0]]]";
+        assert!(areas_of(&holed(&text(0.0, rug))).is_empty());
     }
 
     #[test]

@@ -426,6 +426,7 @@ pub(super) mod tests {
             level: None,
             extent: 2.0,
             contact: None,
+            shaded_by: None,
             area,
             basis,
             patches,

@@ -134,11 +134,12 @@ impl Group {
 fn groups(elements: &Elements) -> Vec<(usize, Vec<usize>)> {
     let mut groups: Vec<(usize, Vec<usize>)> = Vec::new();
     for surface in 0..elements.surfaces() {
-        let (open, covered): (Vec<usize>, Vec<usize>) =
-            elements.of_surface(surface).partition(|index| elements.list()[*index].contact.is_none());
+        let list = elements.list();
+        let (open, parts): (Vec<usize>, Vec<usize>) =
+            elements.of_surface(surface).partition(|index| list[*index].is_cell());
         groups.extend((!open.is_empty()).then_some((surface, open)));
-        let contact = |index: &usize| elements.list()[*index].contact;
-        groups.extend(covered.chunk_by(|a, b| contact(a) == contact(b)).map(|own| (surface, own.to_vec())));
+        let are_one = |a: &usize, b: &usize| list[*a].is_of_part(&list[*b]);
+        groups.extend(parts.chunk_by(are_one).map(|own| (surface, own.to_vec())));
     }
     groups
 }

@@ -138,7 +138,7 @@ pub(super) fn are_alike(nodes: &[Arc<Node>]) -> bool {
 pub(super) fn carry_alike(first: &Elements, other: &Elements) -> bool {
     let mut pairs = first.list().iter().zip(other.list());
     let is_kept = |(a, b): (&Element, &Element)| {
-        a.contact == b.contact && (a.contact.is_none() || (a.patches == b.patches && a.basis == b.basis))
+        a.is_of_part(b) && (a.is_cell() || (a.patches == b.patches && a.basis == b.basis))
     };
     first.starts() == other.starts() && pairs.all(is_kept)
 }

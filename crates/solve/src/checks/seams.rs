@@ -212,7 +212,7 @@ fn border(elements: &Elements, surface: usize) -> Vec<Spot> {
 fn spot(elements: &Elements, surface: usize, parameters: [f64; 2]) -> Option<Spot> {
     let inside = parameters.map(|x| x.clamp(INTO - 1.0, 1.0 - INTO));
     // What covers a part of a surface is not beside it.
-    let element = elements.at(surface, inside).filter(|index| elements.list()[*index].contact.is_none())?;
+    let element = elements.at(surface, inside).filter(|index| elements.list()[*index].is_cell())?;
     let position = elements.shape(surface).jet(parameters[0], parameters[1]).position;
     Some(Spot { element, place: SurfacePlace { surface, parameters, position } })
 }

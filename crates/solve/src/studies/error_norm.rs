@@ -82,7 +82,7 @@ impl Squares {
         let mut sum = Self::default();
         for other in solution.elements().of_surface(fine.surface) {
             let coarse = &solution.elements().list()[other];
-            if coarse.contact != fine.contact {
+            if !coarse.is_of_part(fine) {
                 continue;
             }
             let degree = fine.basis.total_degree().max(coarse.basis.total_degree());

@@ -76,7 +76,7 @@ impl SceneState {
 
 /// Whether the same blocks follow from two elements.
 fn is_same(a: &Element, b: &Element) -> bool {
-    let is_one = a.surface == b.surface && a.contact == b.contact;
+    let is_one = a.surface == b.surface && a.is_of_part(b);
     is_one && a.patches == b.patches && a.basis == b.basis
 }
 

@@ -133,7 +133,8 @@ struct Scenes<'a> {
 /// Whether the same elements have as many functions, and lie on something, in both.
 fn are_covered_alike(before: &Elements, now: &Elements) -> bool {
     let mut pairs = before.list().iter().zip(now.list());
-    before.starts() == now.starts() && pairs.all(|(a, b)| a.contact.is_some() == b.contact.is_some())
+    before.starts() == now.starts()
+        && pairs.all(|(a, b)| (a.contact.is_some(), a.shaded_by) == (b.contact.is_some(), b.shaded_by))
 }
 
 impl StandingRays {

@@ -97,7 +97,7 @@ fn saved(
     SavedElement {
         surface: scene.surfaces[element.surface].name.clone(),
         rectangle: [element.rect.u, element.rect.v],
-        covered: element.contact.is_some(),
+        covered: !element.is_cell(),
         order: element.basis.order(),
         basis: element.basis.space().into(),
         frame: element.basis.frame().into(),
@@ -129,7 +129,7 @@ impl SavedElement {
         let surface = &scene.surfaces[element.surface];
         fits(self.surface == surface.name, "the surface")?;
         fits(self.rectangle == [element.rect.u, element.rect.v], "the rectangle")?;
-        fits(self.covered == element.contact.is_some(), "the parts that others lie on")?;
+        fits(self.covered != element.is_cell(), "the parts that others lie on")?;
         fits(self.order == element.basis.order(), "the order")?;
         fits(self.basis == element.basis.space().into(), "the basis")?;
         fits(same(&[self.area], &[element.area]), "the area")?;

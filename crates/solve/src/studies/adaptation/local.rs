@@ -90,7 +90,7 @@ fn refined(scene: &Scene, solution: &Solution, shares: &[f64], part: f64) -> Opt
     let is_free = |index: &usize| {
         let surface = &scene.surfaces[list[*index].surface];
         let is_own = surface.order.is_some() || surface.subdivide.is_some();
-        shares[*index] > 0.0 && list[*index].contact.is_none() && !is_own
+        shares[*index] > 0.0 && list[*index].is_cell() && !is_own
     };
     let mut bearing: Vec<usize> = (0..list.len()).filter(is_free).collect();
     bearing.sort_by(|a, b| shares[*b].total_cmp(&shares[*a]));
