@@ -4,10 +4,10 @@
 //! alone, where they are seen at rest. One is gathered in five frames of a span. Where these predict each other,
 //!
 //! ```text
-//! |f(t_k) − p_2(t_k)| ≤ τ √(E max(E, Ē)) + s ,     k = 1, 3 ,     p_2 through f(t_0), f(t_2), f(t_4) ,
+//! Σ_b |f_b(t_k) − p_b(t_k)| ≤ τ √(E max(E, Ē)) + s ,     k = 1, 3 ,     p_b through f_b(t_0), f_b(t_2), f_b(t_4) ,
 //! ```
 //!
-//! with all light E, its mean Ē in the scene and the deviation s of gathered light, a polynomial of degree 4 gives
+//! of degree 2 in each band b, with all light E of all bands, its mean Ē in the scene and the deviation s of gathered light, a polynomial of degree 4 gives
 //! it in the other frames (`span`). Elsewhere the span is halved, until all of its frames are gathered: beside what
 //! moves (`movement`), where the polynomials of the solution, which are known in all frames, tell that light does
 //! something between the five, where the spot is covered in one of them, and where some of the frames are at rest and
@@ -190,12 +190,13 @@ impl<'a> Stretch<'a> {
     /// Whether the polynomials of the solution at a place, in all frames of a span, are about met by those in five.
     fn has_no_bump(&self, places: &[SeenPlace], span: Span, points: [usize; POINTS]) -> bool {
         let light = |frame: usize| self.gatherers[frame].light();
-        let own = |frame: usize| light(frame).polynomials(&places[frame - span.first]).iter().sum::<f64>();
-        let values: Vec<f64> = span.frames().map(own).collect();
-        let known = points.map(|frame| values[frame - span.first]);
-        span.frames().zip(&values).all(|(frame, value)| {
-            let off = interpolated(weights(points, frame), known) - value;
-            off.abs() <= BUMP * light(frame).judged_by(*value)
+        let own = |frame: usize| light(frame).polynomials(&places[frame - span.first]);
+        let values: Vec<Vec<f64>> = span.frames().map(own).collect();
+        let known = points.map(|frame| &values[frame - span.first]);
+        span.frames().zip(&values).all(|(frame, own)| {
+            let weights = weights(points, frame);
+            let predicted = |band: usize| interpolated(weights, known.map(|own| own[band]));
+            apart(predicted, own) <= BUMP * light(frame).judged_by(own.iter().sum())
         })
     }
 
@@ -214,13 +215,13 @@ impl<'a> Stretch<'a> {
     fn is_smooth(&self, SpotSpan { spot, span }: SpotSpan) -> Option<bool> {
         let points = span.points()?;
         let lights = self.known_in(spot, points)?;
-        let all = |own: &SpotLight| own.light.bands.iter().sum::<f64>();
         let even = EVEN.map(|k| points[k]);
         Some(ODD.into_iter().all(|k| {
-            let predicted = interpolated(weights(even, points[k]), EVEN.map(|k| all(lights[k])));
+            let weights = weights(even, points[k]);
+            let predicted = |band: usize| interpolated(weights, EVEN.map(|k| lights[k].light.bands[band]));
             let SpotLight { light, lit, .. } = lights[k];
-            let judged = self.gatherers[points[k]].light().judged_by(all(lights[k]) + lit);
-            (predicted - all(lights[k])).abs() <= SMOOTH * judged + light.error
+            let judged = self.gatherers[points[k]].light().judged_by(light.bands.iter().sum::<f64>() + lit);
+            apart(predicted, &light.bands) <= SMOOTH * judged + light.error
         }))
     }
 
@@ -263,10 +264,16 @@ impl<'a> Stretch<'a> {
         let gathered = self.gatherers[frame].spots(&spots, work);
         for ((_, own), gathered) in found.iter().zip(gathered) {
             let (Some(own), Some(right)) = (own, gathered) else { continue };
-            let sum = |own: &SpotLight| own.light.bands.iter().sum::<f64>();
-            self.error.take(sum(own) - sum(&right), sum(&right) + right.lit);
+            let bands = &right.light.bands;
+            let difference = apart(|band| own.light.bands[band], bands);
+            self.error.take(difference, bands.iter().sum::<f64>() + right.lit);
         }
     }
+}
+
+/// Σ_b |difference| of light from that of each band: colour counts where the sum stays.
+fn apart(light: impl Fn(usize) -> f64, bands: &[f64]) -> f64 {
+    bands.iter().enumerate().map(|(band, own)| (light(band) - own).abs()).sum()
 }
 
 /// One frame of a stretch.
