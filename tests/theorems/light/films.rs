@@ -97,7 +97,7 @@ fn film(scene: &Scene, frames: &[Frame], read: ReadMode, wanted: &[usize]) -> (V
         is_wanted: wanted.contains(&number),
     });
     let shown: Vec<FilmFrame> = shown.collect();
-    let (mut film, mut pictures) = (Film::new(scene, read, 2), Vec::new());
+    let (mut film, mut pictures) = (Film::new(scene, &frames[0], read, 2), Vec::new());
     let keep = |_: &FilmFrame, raster| {
         pictures.push(raster);
         Ok::<(), Infallible>(())

@@ -81,7 +81,9 @@ pub(super) fn require_slowness(name: &Path, fps: f64, units: f64) -> Result<(), 
     }
     Err(refused(
         name,
-        &format!("a picture of such a film stays for {longest} s at the most, and {fps} a second were asked for"),
+        &format!(
+            "a picture of such a film stays for {longest} s at the most, and {fps} a second were asked for"
+        ),
         "raise --fps, or choose a film ending in .mp4 or .webm",
     ))
 }
