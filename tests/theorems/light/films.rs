@@ -210,8 +210,8 @@ emission = {{ factors = [1, 1.1] }}
     typed(&text)
 }
 
-/// The colour of a lamp flips between two frames, or in one alone; the sum of its bands stays. By the sum alone, light is
-/// interpolated all the same.
+/// The colour of a lamp flips between two frames, or in one alone; the sum of its bands stays. Judged by that sum, light
+/// is interpolated all the same, and pictures are off by 0.08 to 1.5 of the mean.
 #[test]
 fn light_that_changes_its_colour_alone_is_not_interpolated() {
     let flip = "{ factors = [[1, 0.4], [0.4, 1]], times = [4, 5] }";
