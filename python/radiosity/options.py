@@ -322,7 +322,8 @@ class Picture(TypedDict, total=False):
         Camera rays along each side of a pixel: S × S in all [default: 3].
 
     read: "basis", "direct", "gather" or "gather-twice"
-        Light that the picture shows [default: gather; of .html and .glb direct where that would take two threads more than some ten seconds].
+        Light that the picture shows [default: gather; of .html and .glb direct where that would take two threads more than some ten
+        seconds].
 
     show: "radiosity" or "irradiance"
         The quantity that is shown.

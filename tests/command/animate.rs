@@ -291,6 +291,9 @@ fn what_cannot_be_animated_is_refused_with_a_cure() {
     refuse(&["-o", "film.avi"], &["names no kind of pictures", ".gif, .apng"]);
     refuse(&["-o", "no/f-#.png"], &["its folder does not exist"]);
     refuse(&["-o", "f.gif", "--fps", "100"], &["50 pictures a second", "--fps 50"]);
+    refuse(&["-o", "f.gif", "--fps", "0.0015"], &["655.35 s", "raise --fps"]);
+    refuse(&["-o", "f.apng", "--fps", "0.01"], &["65.535 s", "raise --fps"]);
+    refuse(&["-o", "f.apng", "--fps", "5000"], &["1000 pictures a second", "--fps 50"]);
     refuse(&["-o", "f-#.png", "--fps", "10"], &["files have no speed"]);
     refuse(&["-o", "f-#.exr", "--exposure", "1"], &["--exposure", "leave it out"]);
     refuse(&["--accuracy", "1e-2"], &["--accuracy", "--quality"]);

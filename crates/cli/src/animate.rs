@@ -16,7 +16,6 @@ use std::time::Instant;
 use clap::{Args, ValueEnum};
 use radiosity_audit::evenly;
 use radiosity_reading::rank_work::RanksWork;
-use radiosity_reading::reader::ReadMode;
 use radiosity_reading::report::underestimated;
 use radiosity_request::picture::{SAMPLES, require_pixels, sized};
 use radiosity_request::ranges::{Fraction, Positive};
@@ -44,7 +43,7 @@ use crate::{
 use frame_files::FrameFiles;
 use frames::FrameRange;
 use readings::Readings;
-use shooting::{Shooting, Shot};
+use shooting::{Made, Shooting};
 use shutter::{RADIOSITY, Shutter};
 
 /// Solves the frames of a scene in which things move, and takes a picture of each
@@ -55,7 +54,7 @@ the path it is solved in some frames and interpolated between them, to --path-ep
 shadows and all: what has moved or shines otherwise is found anew, and the difference is solved for. --animation selective solves each \
 frame as it is alone, to the bit.
 
-Pictures share the light that is gathered: beside what moves, and where light changes in other ways than smoothly, it is gathered in each \
+Pictures share the light that is gathered, whatever --animation says: beside what moves, and where light changes in other ways than smoothly, it is gathered in each \
 frame, elsewhere in every eighth and interpolated between; the summary tells the error that this makes. About how long all takes is told \
 before the first picture.
 
@@ -136,10 +135,10 @@ const LISTED: usize = 4;
 /// Way in which frames follow each other.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 enum Follow {
-    /// Each frame by itself, with nothing kept.
+    /// Each frame is solved by itself, and nothing of the solution is kept.
     Fresh,
-    /// One frame after the other, each as it is alone, to the bit; blocks and rays that have not changed are
-    /// kept.
+    /// One frame after the other, each with the solution that it has alone, to the bit; blocks and rays that have
+    /// not changed are kept.
     Selective,
     /// One frame after the other; what has changed is found anew, and the difference from the frame before
     /// is solved for.
@@ -237,13 +236,15 @@ pub(crate) fn run(args: &AnimateArgs, loaded: Loaded, ranks: &Ranks) -> Result<(
     let (progress, deadline) = (Progress::new(args.quiet, ranks), args.method.deadline());
     let work = Work { ranks, observer: &progress, deadline: deadline.as_ref() };
     let follower = Follower::new(scene, &asked, args.way(), range.ends());
-    let readings = points.map(|points| Readings::new(points, args.read.plain(&args.method)));
+    let settings = args.read.plain(&args.method);
+    let read = settings.read;
+    let readings = points.map(|points| Readings::new(points, settings));
     let judged = evenly(range.numbers(), range.count(), 1, 0).next().unwrap_or_default();
     let exposure = TypedExposure::fixed(args.exposure);
     let shutter = Shutter {
         size: args.size,
         samples: args.samples.unwrap_or(SAMPLES),
-        read: args.read.read,
+        read,
         resumes: args.resume,
         check: &args.check,
         asked: &asked,
@@ -256,7 +257,7 @@ pub(crate) fn run(args: &AnimateArgs, loaded: Loaded, ranks: &Ranks) -> Result<(
         ranks,
     };
     let shooting = Shooting::new(shutter, scene, follower, range, &progress, &work);
-    let Shot { shutter, follower, made, read, error } = shooting.shoot()?;
+    let Made { shutter, follower, made, error } = shooting.shoot()?;
     let Shutter { files, readings, found, exposure, .. } = shutter;
     files.map_or(Ok(()), FrameFiles::finish)?;
     let read_error = readings.as_ref().and_then(Readings::error);
@@ -271,7 +272,6 @@ pub(crate) fn run(args: &AnimateArgs, loaded: Loaded, ranks: &Ranks) -> Result<(
         lines.extend(error.told().map(|_| error.to_string()));
         lines.extend(read_error.map(|error| error.to_string()));
         lines.extend(checked.as_ref().map(|checked| format!("frame {judged} {checked}")));
-        let read = read.unwrap_or(ReadMode::Gather);
         let warning = checked.as_ref().and_then(|checked| underestimated(checked, read));
         lines.extend(warning.map(|warning| warning.to_string()));
         console::tell(&lines, ranks);

@@ -1,14 +1,19 @@
 //! Films as animated PNG, which browsers show: all colours of the pictures, none lost.
 
 use std::io;
+use std::path::Path;
 
 use radiosity_output::drawings::picture::Picture;
 
+use super::frame_files::refused;
 use crate::error::CliError;
 use crate::output_file::OutputFile;
 
 /// Units of time in a second in which it is stored how long a picture stays. Chosen: a picture of up to a minute.
 const UNITS: u16 = 1000;
+
+/// Most pictures a second: each stays for a unit at least.
+const FASTEST: f64 = UNITS as f64;
 
 /// An animated PNG, written at the end.
 #[derive(Debug)]
@@ -22,6 +27,19 @@ pub(super) struct Apng {
 }
 
 impl Apng {
+    /// Refuses pictures a second that a film of this name cannot have.
+    pub(super) fn require_speed(name: &Path, fps: f64) -> Result<(), CliError> {
+        require_slowness(name, fps, FASTEST)?;
+        if fps <= FASTEST {
+            return Ok(());
+        }
+        Err(refused(
+            name,
+            &format!("an .apng shows {FASTEST} pictures a second at the most, and {fps} were asked for"),
+            "add --fps 50, which screens show, or choose a film ending in .mp4 or .webm",
+        ))
+    }
+
     /// A film of so many pictures a second, of which there is none yet.
     pub(super) fn new(output: OutputFile, fps: f64) -> Self {
         Self { output, fps, size: [0; 2], pictures: Vec::new() }
@@ -52,6 +70,22 @@ impl Apng {
             frames.finish().map_err(io::Error::other)
         })
     }
+}
+
+/// Refuses so few pictures a second that the time for which one stays, in `units` of a second, has no number of 16
+/// bits.
+pub(super) fn require_slowness(name: &Path, fps: f64, units: f64) -> Result<(), CliError> {
+    let longest = f64::from(u16::MAX) / units;
+    if fps * longest >= 1.0 {
+        return Ok(());
+    }
+    Err(refused(
+        name,
+        &format!(
+            "a picture of such a film stays for {longest} s at the most, and {fps} a second were asked for"
+        ),
+        "raise --fps, or choose a film ending in .mp4 or .webm",
+    ))
 }
 
 /// Time for which the picture of this number stays, in `units` of a second. Each ends at the nearest unit to where it

@@ -9,7 +9,7 @@ use radiosity_output::files::exr_file::write_exr;
 use radiosity_reading::pictures::raster::Raster;
 use radiosity_work::ranks::Ranks;
 
-use super::apng::{Apng, delay};
+use super::apng::{Apng, delay, require_slowness};
 use super::encoder::{Container, Encoder, require_program};
 use crate::error::CliError;
 use crate::loaded::Loaded;
@@ -69,7 +69,10 @@ impl FrameFiles {
                 require_speed_of_gif(name, fps)?;
                 Ok(Self::Gif { output: reserved(name)?, fps, size: [0; 2], frames: Vec::new() })
             }
-            Some("apng") => Ok(Self::Apng(Apng::new(reserved(name)?, fps))),
+            Some("apng") => {
+                Apng::require_speed(name, fps)?;
+                Ok(Self::Apng(Apng::new(reserved(name)?, fps)))
+            }
             Some(ending @ ("png" | "exr")) => {
                 let pattern = Pattern::without_speed(name, ending == "exr", typed)?;
                 reserved(&pattern.path(first))?;
@@ -165,12 +168,13 @@ impl FrameFiles {
 }
 
 /// Refuses what a name as typed asks for.
-fn refused(name: &Path, message: &str, cure: &str) -> CliError {
+pub(super) fn refused(name: &Path, message: &str, cure: &str) -> CliError {
     CliError::refused(format!("{}: {message}", name.display()), cure)
 }
 
-/// Refuses more pictures a second than viewers show of a GIF.
+/// Refuses more pictures a second than viewers show of a GIF, or fewer than it can have.
 fn require_speed_of_gif(name: &Path, fps: f64) -> Result<(), CliError> {
+    require_slowness(name, fps, GIF_UNITS)?;
     if fps <= FASTEST {
         return Ok(());
     }

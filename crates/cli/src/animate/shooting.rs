@@ -3,7 +3,6 @@
 use std::time::Instant;
 
 use radiosity_reading::pictures::film::{Film, FilmError};
-use radiosity_reading::reader::ReadMode;
 use radiosity_scene::Scene;
 use radiosity_solve::animation::follower::Follower;
 use radiosity_work::Work;
@@ -27,6 +26,9 @@ pub(super) struct Shooting<'a> {
     /// None before the first frame is solved.
     time: Option<TimeLeft>,
     begun: Instant,
+    /// Numbers of the frames of which anything is wanted.
+    wanted: Vec<usize>,
+    /// How many of these were made.
     made: usize,
     /// Number of frames that were made when the time left was told.
     told: usize,
@@ -36,13 +38,11 @@ pub(super) struct Shooting<'a> {
 const TOLD_EACH: usize = 16;
 
 /// A film that is made.
-pub(super) struct Shot<'a> {
+pub(super) struct Made<'a> {
     pub shutter: Shutter<'a>,
     pub follower: Follower<'a>,
     /// Number of frames that were made.
     pub made: usize,
-    /// Source of the light of pictures, if there are any.
-    pub read: Option<ReadMode>,
     /// Error of light that frames share.
     pub error: FilmError,
 }
@@ -58,6 +58,8 @@ impl<'a> Shooting<'a> {
         work: &'a Work<'a>,
     ) -> Self {
         let begun = Instant::now();
+        let [first, _] = range.ends();
+        let wanted = range.numbers().filter(|number| shutter.wants(*number, *number == first)).collect();
         Self {
             shutter,
             scene,
@@ -68,26 +70,25 @@ impl<'a> Shooting<'a> {
             film: None,
             time: None,
             begun,
+            wanted,
             made: 0,
             told: 0,
         }
     }
 
     /// Solves all frames of which anything is wanted, and makes it.
-    pub(super) fn shoot(mut self) -> Result<Shot<'a>, CliError> {
+    pub(super) fn shoot(mut self) -> Result<Made<'a>, CliError> {
         let [first, _] = self.range.ends();
-        let is_wanted = |number: &usize| self.shutter.wants(*number, *number == first);
-        let wanted: Vec<usize> = self.range.numbers().filter(is_wanted).collect();
         let mut solved = Vec::new();
-        if !wanted.is_empty() {
+        if !self.wanted.is_empty() {
             solved.push(self.solved(first)?);
-            self.begin(&solved[0], wanted.len())?;
+            self.begin(&solved[0])?;
         }
         for [from, to] in self.range.stretches(self.film.as_ref().map_or(0, Film::stretch)) {
             let own = |number: &&usize| {
                 (from..=to).contains(*number) && (**number > from || from == first || from == to)
             };
-            let own: Vec<usize> = wanted.iter().filter(own).copied().collect();
+            let own: Vec<usize> = self.wanted.iter().filter(own).copied().collect();
             if own.is_empty() {
                 continue;
             }
@@ -98,11 +99,11 @@ impl<'a> Shooting<'a> {
                 }
             }
             self.take(&solved, &own, first)?;
-            self.tell(wanted.len());
+            self.tell();
         }
         let Self { shutter, follower, film, made, .. } = self;
         let error = film.as_ref().map(Film::error).unwrap_or_default();
-        Ok(Shot { shutter, follower, made, read: film.as_ref().map(Film::read), error })
+        Ok(Made { shutter, follower, made, error })
     }
 
     /// The light of a frame.
@@ -111,8 +112,9 @@ impl<'a> Shooting<'a> {
         Ok(SolvedFrame { number, frame: self.follower.frame(number, self.work)? })
     }
 
-    /// Begins the film of so many frames with the first one, and tells about how long it takes.
-    fn begin(&mut self, first: &SolvedFrame, count: usize) -> Result<(), CliError> {
+    /// Begins the film with the first frame, and tells about how long it takes.
+    fn begin(&mut self, first: &SolvedFrame) -> Result<(), CliError> {
+        let count = self.wanted.len();
         let solving = self.begun.elapsed().as_secs_f64();
         let (shutter, scene, ranks) = (&self.shutter, self.scene, self.work.ranks);
         let mut pictures = 0.0;
@@ -130,9 +132,9 @@ impl<'a> Shooting<'a> {
 
     /// Takes what is wanted of a stretch.
     fn take(&mut self, solved: &[SolvedFrame], wanted: &[usize], first: usize) -> Result<(), CliError> {
-        let Self { shutter, film, progress, range, time, begun, work, .. } = self;
+        let Self { shutter, film, progress, time, begun, work, .. } = self;
         let mut made = self.made;
-        let count = range.count();
+        let count = self.wanted.len();
         let mut one = || {
             made += 1;
             progress.say_whole(standing(made, count, *begun, time.as_ref()));
@@ -143,8 +145,9 @@ impl<'a> Shooting<'a> {
         Ok(())
     }
 
-    /// Tells about how long what is left of so many frames takes, every so often.
-    fn tell(&mut self, count: usize) {
+    /// Tells about how long the frames that are left take, every so often.
+    fn tell(&mut self) {
+        let count = self.wanted.len();
         let is_due = self.made >= self.told + TOLD_EACH && self.made < count;
         if let Some(time) = self.time.filter(|_| is_due) {
             let left = time.seconds(self.made);
@@ -154,7 +157,7 @@ impl<'a> Shooting<'a> {
     }
 
     fn standing(&self) -> String {
-        standing(self.made, self.range.count(), self.begun, self.time.as_ref())
+        standing(self.made, self.wanted.len(), self.begun, self.time.as_ref())
     }
 }
 

@@ -9,10 +9,10 @@ use radiosity_reading::own_error::OwnError;
 use radiosity_reading::pictures::film::{Film, FilmFrame};
 use radiosity_reading::pictures::printed_pixels::{PrintedPixels, settings_of_pictures};
 use radiosity_reading::pictures::raster::Raster;
-use radiosity_reading::pictures::render::{usual_read, white_balance};
+use radiosity_reading::pictures::render::white_balance;
 use radiosity_reading::reader::ReadMode;
 use radiosity_request::CheckRequest;
-use radiosity_request::picture::{pixels, sized};
+use radiosity_request::picture::sized;
 use radiosity_request::view::View;
 use radiosity_scene::{Camera, Scene};
 use radiosity_solve::Options;
@@ -34,8 +34,8 @@ pub(super) struct Shutter<'a> {
     pub size: Option<[u32; 2]>,
     /// Camera rays along each side of a pixel.
     pub samples: u32,
-    /// Source of the light, where it is not the usual one.
-    pub read: Option<ReadMode>,
+    /// Source of the light of pictures.
+    pub read: ReadMode,
     /// Whether pictures that are there already stay.
     pub resumes: bool,
     /// Work that the check is worth.
@@ -65,10 +65,9 @@ pub(super) struct SolvedFrame {
 }
 
 impl<'a> Shutter<'a> {
-    /// The film of a scene whose frames are like `first`, with light from the source that is asked for or usual.
+    /// The film of a scene, of which this is the first frame.
     pub(super) fn film(&self, scene: &'a Scene, first: &Frame) -> Film<'a> {
-        let usual = || usual_read(&first.solution, &first.visibility, pixels(&self.camera(&first.scene)));
-        Film::new(scene, self.read.unwrap_or_else(usual), self.samples)
+        Film::new(scene, first, self.read, self.samples)
     }
 
     /// Whether anything of a frame is wanted, the first of all if it `is_first`.
@@ -112,9 +111,9 @@ impl<'a> Shutter<'a> {
         let is_wanted =
             |number: usize| wanted.contains(&number) && self.wants_picture(number, number == first);
         let shown: Vec<FilmFrame> = solved.iter().map(|own| self.shown(own, is_wanted(own.number))).collect();
-        let (work, read) = (Work::among(self.ranks), film.read());
+        let work = Work::among(self.ranks);
         film.pictures(&shown, &work, |own, raster| {
-            let written = self.keep(own, &raster, read);
+            let written = self.keep(own, &raster);
             made();
             written
         })
@@ -131,10 +130,10 @@ impl<'a> Shutter<'a> {
         Ok(())
     }
 
-    /// Keeps the picture of a frame, with light that is `read` so, unless it is there.
-    fn keep(&mut self, own: &FilmFrame, raster: &Raster, read: ReadMode) -> Result<(), CliError> {
+    /// Keeps the picture of a frame, unless it is there.
+    fn keep(&mut self, own: &FilmFrame, raster: &Raster) -> Result<(), CliError> {
         if own.number == self.judged && self.readings.is_none() {
-            self.found = self.check_picture(own, raster, read);
+            self.found = self.check_picture(own, raster);
         }
         let is_there = self.has(own.number);
         let Some(mut files) = self.files.take() else { return Ok(()) };
@@ -164,9 +163,9 @@ impl<'a> Shutter<'a> {
     }
 
     /// The check of a picture of a frame.
-    fn check_picture(&self, own: &FilmFrame, raster: &Raster, read: ReadMode) -> Option<CheckedReadings> {
+    fn check_picture(&self, own: &FilmFrame, raster: &Raster) -> Option<CheckedReadings> {
         let (frame, camera) = (own.frame, &own.camera);
-        let error = OwnError::of_frame(frame, self.asked, &settings_of_pictures(read));
+        let error = OwnError::of_frame(frame, self.asked, &settings_of_pictures(self.read));
         let pixels = PrintedPixels::of(raster, camera, &frame.scene, &frame.visibility, error);
         self.checked(frame, pixels.count(), |number| pixels.reading(number))
     }

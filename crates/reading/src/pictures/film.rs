@@ -61,21 +61,18 @@ pub struct Film<'a> {
     read: ReadMode,
     samples: u32,
     /// Diagonal of the first frame's bounding box, by which the lattices of all are made (scene length).
-    diagonal: Option<f64>,
+    diagonal: f64,
     /// Spots that were gathered in the last frame, with its number.
     last: Option<(usize, HashMap<Spot, Option<SpotLight>>)>,
     error: FilmError,
 }
 
 impl<'a> Film<'a> {
-    /// A film of a scene with light that is `read` so, and so many camera rays along each side of a pixel.
-    pub fn new(scene: &'a Scene, read: ReadMode, samples: u32) -> Self {
-        Self { scene, read, samples, diagonal: None, last: None, error: FilmError::default() }
-    }
-
-    /// Source of the light.
-    pub fn read(&self) -> ReadMode {
-        self.read
+    /// A film of a scene, of which this is the first frame, with light that is `read` so, and so many camera rays along
+    /// each side of a pixel.
+    pub fn new(scene: &'a Scene, first: &Frame, read: ReadMode, samples: u32) -> Self {
+        let diagonal = first.visibility.bounds().diagonal();
+        Self { scene, read, samples, diagonal, last: None, error: FilmError::default() }
     }
 
     /// Frames from the first to the last of a stretch, which are to be solved before its pictures are taken: several
@@ -95,21 +92,25 @@ impl<'a> Film<'a> {
     /// Takes the pictures that are wanted of a stretch of frames in turn.
     ///
     /// # Errors
-    /// That of who takes a picture.
+    /// The first of `take`.
+    ///
+    /// # Panics
+    /// If the scene has no frame of such a number.
     pub fn pictures<E>(
         &mut self,
         frames: &[FilmFrame],
         work: &Work<'_>,
         mut take: impl FnMut(&FilmFrame, Raster) -> Result<(), E>,
     ) -> Result<(), E> {
-        let Some(first) = frames.first() else { return Ok(()) };
-        let diagonal = *self.diagonal.get_or_insert_with(|| first.frame.visibility.bounds().diagonal());
+        if frames.is_empty() {
+            return Ok(());
+        }
         let lights: Vec<PictureLight> = frames.iter().map(|frame| self.light(frame)).collect();
-        let mut stretch = self.shared(frames, &lights, diagonal);
+        let mut stretch = self.shared(frames, &lights);
         let wanted = frames.iter().zip(&lights).enumerate().filter(|(_, (frame, _))| frame.is_wanted);
         for (place, (frame, light)) in wanted {
             let mut source = StretchFrame { stretch: &mut stretch, frame: place };
-            let mut field = light.gathers().then(|| LightField::known_by(&mut source, light, diagonal));
+            let mut field = light.gathers().then(|| LightField::known_by(&mut source, light, self.diagonal));
             let eye = Eye::of(light.solution(), &frame.frame.visibility);
             let shot = Shot::through(&frame.camera, light, &eye, self.samples, work);
             let raster = taken(&shot, field.as_mut());
@@ -134,15 +135,10 @@ impl<'a> Film<'a> {
     }
 
     /// The spots that frames share, with these lights.
-    fn shared<'b>(
-        &mut self,
-        frames: &[FilmFrame],
-        lights: &'b [PictureLight<'b>],
-        diagonal: f64,
-    ) -> Stretch<'b> {
+    fn shared<'b>(&mut self, frames: &[FilmFrame], lights: &'b [PictureLight<'b>]) -> Stretch<'b> {
         let numbers: Vec<usize> = frames.iter().map(|frame| frame.number).collect();
         let elements: Vec<&Elements> = lights.iter().map(|light| light.solution().elements()).collect();
-        let gatherers = lights.iter().map(|light| SpotGatherer::new(light, diagonal)).collect();
+        let gatherers = lights.iter().map(|light| SpotGatherer::new(light, self.diagonal)).collect();
         let last = self.last.take().filter(|(number, _)| Some(number) == numbers.first());
         let known = last.map(|(_, spots)| spots).unwrap_or_default();
         Stretch::new(gatherers, Movement::of(self.scene, &numbers, &elements), known)

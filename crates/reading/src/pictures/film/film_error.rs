@@ -2,6 +2,8 @@
 
 use std::fmt;
 
+use radiosity_work::digits::significant;
+
 /// Squares of differences between light that was interpolated and the same, gathered, at some spots; and counts.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct FilmError {
@@ -16,6 +18,11 @@ impl FilmError {
     pub(super) fn count(&mut self, gathered: usize, interpolated: usize) {
         self.spots[0] += gathered;
         self.spots[1] += interpolated;
+    }
+
+    /// Number of spots that were interpolated.
+    pub(super) fn interpolated(&self) -> usize {
+        self.spots[1]
     }
 
     /// Takes note of a difference at a spot with so much light in all (W m⁻²).
@@ -46,11 +53,11 @@ impl fmt::Display for FilmError {
         let [gathered, interpolated] = self.spots;
         let Some(error) = self.told() else { return Ok(()) };
         let part = 100.0 * interpolated as f64 / (gathered + interpolated) as f64;
-        let percent = 100.0 * error;
+        let percent = significant(100.0 * error, 2);
         write!(
             to,
             "reflected light of pictures: {gathered} places gathered, {part:.0} % interpolated between frames to \
-             {percent:.2} %"
+             {percent} %"
         )
     }
 }

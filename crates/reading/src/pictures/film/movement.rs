@@ -38,7 +38,8 @@ impl Movement {
     pub(super) fn of(scene: &Scene, numbers: &[usize], frames: &[&Elements]) -> Self {
         let animation = scene.animation.as_ref();
         let states = |number: &usize| -> Vec<MoverState> {
-            animation.and_then(|animation| animation.states(*number as f64).ok()).unwrap_or_default()
+            let states = |animation: &Animation| animation.states(*number as f64);
+            animation.map(|own| states(own).expect("films show frames of their scenes")).unwrap_or_default()
         };
         let states: Vec<Vec<MoverState>> = numbers.iter().map(states).collect();
         let moves = states.windows(2).map(|pair| pair[0] != pair[1]).collect();

@@ -4,14 +4,14 @@
 //! alone, where they are seen at rest. One is gathered in five frames of a span. Where these predict each other,
 //!
 //! ```text
-//! |f(t_k) − p_2(t_k)| ≤ τ √(E max(E, Ē)) + s ,     k = 1, 3 ,     p_2 through f(t_0), f(t_2), f(t_4) ,
+//! Σ_b |f_b(t_k) − p_b(t_k)| ≤ τ √(E max(E, Ē)) + s ,     k = 1, 3 ,     p_b through f_b(t_0), f_b(t_2), f_b(t_4) ,
 //! ```
 //!
-//! with all light E, its mean Ē in the scene and the deviation s of gathered light, a polynomial of degree 4 gives
-//! it in the other frames (`span`). Elsewhere the span is halved, until all of its frames are gathered: beside what
-//! moves (`movement`), where the polynomials of the solution, which are known in all frames, tell that light does
-//! something between the five, where the spot is covered in one of them, and where some of the frames are at rest and
-//! others not. So frames at rest are alike to the bit.
+//! of degree 2 in each band b, with all light E of all bands, its mean Ē in the scene and the deviation s of gathered
+//! light, a polynomial of degree 4 gives it in the other frames (`span`). Elsewhere the span is halved, until all of
+//! its frames are gathered: beside what moves (`movement`), where the polynomials of the solution, which are known in
+//! all frames, tell that light does something between the five, where the spot is covered in one of them, and where
+//! some of the frames are at rest and others not. So frames at rest are alike to the bit.
 
 use std::collections::HashMap;
 
@@ -72,10 +72,13 @@ struct SpotMoment {
 enum Origin {
     /// It is gathered.
     Gathered,
-    /// It is interpolated over a span, if it is smooth there: that is known, or not yet.
+    /// It is interpolated over a span, where it is smooth.
     Interpolated(Span),
-    Open(Span),
 }
+
+/// A span over which light has first to be gathered, to know whether it is smooth.
+#[derive(Clone, Copy, Debug)]
+struct OpenSpan(Span);
 
 impl<'a> Stretch<'a> {
     /// The spots of the frames of these gatherers, of which those of the first are known so far.
@@ -108,12 +111,14 @@ impl<'a> Stretch<'a> {
             .zip(&origins)
             .map(|(spot, origin)| match origin {
                 Origin::Interpolated(span) => self.interpolated(*spot, *span, frame),
-                Origin::Gathered | Origin::Open(_) => self.known[frame].get(spot)?.clone(),
+                Origin::Gathered => self.known[frame].get(spot)?.clone(),
             })
             .collect();
         let own = || (0..wanted.len()).filter(|index| !is_gathered(&origins[*index]));
+        let before = self.error.interpolated();
+        let next = before.next_multiple_of(TOLD_EACH) - before;
+        let told: Vec<usize> = own().skip(next).step_by(TOLD_EACH).collect();
         self.error.count(0, own().count());
-        let told: Vec<usize> = own().skip(frame % TOLD_EACH).step_by(TOLD_EACH).collect();
         self.tell(
             frame,
             &told.iter().map(|index| (wanted[*index], found[*index].as_ref())).collect::<Vec<_>>(),
@@ -125,46 +130,32 @@ impl<'a> Stretch<'a> {
     /// The sources of the light of these spots in a frame.
     fn origins(&mut self, frame: usize, wanted: &[Spot], work: &Work<'_>) -> Vec<Origin> {
         let whole = Span { first: 0, last: self.gatherers.len() - 1 };
-        let mut origins = vec![Origin::Open(whole); wanted.len()];
         loop {
-            let next: Vec<(Origin, Vec<SpotSpan>)> = wanted
-                .par_iter()
-                .zip(&origins)
-                .map(|(spot, origin)| match origin {
-                    Origin::Open(span) => self.origin(*spot, *span, frame),
-                    known => (*known, Vec::new()),
-                })
-                .collect();
-            for (own, (origin, rough)) in origins.iter_mut().zip(next) {
-                *own = origin;
-                self.smooth.extend(rough.into_iter().map(|span| (span, false)));
-            }
-            let open: Vec<SpotSpan> = wanted
-                .iter()
-                .zip(&origins)
-                .filter_map(|(spot, origin)| match origin {
-                    Origin::Open(span) => Some(SpotSpan { spot: *spot, span: *span }),
-                    _ => None,
-                })
-                .collect();
-            if open.is_empty() {
+            let (found, rough): (Vec<Result<Origin, OpenSpan>>, Vec<Vec<SpotSpan>>) =
+                wanted.par_iter().map(|spot| self.origin(*spot, whole, frame)).unzip();
+            self.smooth.extend(rough.into_iter().flatten().map(|span| (span, false)));
+            if let Ok(origins) = found.iter().copied().collect() {
                 return origins;
             }
-            self.try_smooth(&open, work);
+            let open = wanted.iter().zip(&found).filter_map(|(spot, origin)| {
+                let OpenSpan(span) = origin.err()?;
+                Some(SpotSpan { spot: *spot, span })
+            });
+            self.try_smooth(&open.collect::<Vec<_>>(), work);
         }
     }
 
     /// The source of the light of a spot in a frame, as far as that is known without gathering more; and spans
     /// over which it is not smooth.
-    fn origin(&self, spot: Spot, mut span: Span, frame: usize) -> (Origin, Vec<SpotSpan>) {
+    fn origin(&self, spot: Spot, mut span: Span, frame: usize) -> (Result<Origin, OpenSpan>, Vec<SpotSpan>) {
         let mut rough = Vec::new();
         loop {
             let Some(points) = span.points().filter(|points| !points.contains(&frame)) else {
-                return (Origin::Gathered, rough);
+                return (Ok(Origin::Gathered), rough);
             };
             match self.smooth.get(&SpotSpan { spot, span }) {
-                Some(true) => return (Origin::Interpolated(span), rough),
-                None if self.may_be_smooth(spot, span, points) => return (Origin::Open(span), rough),
+                Some(true) => return (Ok(Origin::Interpolated(span)), rough),
+                None if self.may_be_smooth(spot, span, points) => return (Err(OpenSpan(span)), rough),
                 None => rough.push(SpotSpan { spot, span }),
                 Some(false) => {}
             }
@@ -190,12 +181,13 @@ impl<'a> Stretch<'a> {
     /// Whether the polynomials of the solution at a place, in all frames of a span, are about met by those in five.
     fn has_no_bump(&self, places: &[SeenPlace], span: Span, points: [usize; POINTS]) -> bool {
         let light = |frame: usize| self.gatherers[frame].light();
-        let own = |frame: usize| light(frame).polynomials(&places[frame - span.first]).iter().sum::<f64>();
-        let values: Vec<f64> = span.frames().map(own).collect();
-        let known = points.map(|frame| values[frame - span.first]);
-        span.frames().zip(&values).all(|(frame, value)| {
-            let off = interpolated(weights(points, frame), known) - value;
-            off.abs() <= BUMP * light(frame).judged_by(*value)
+        let own = |frame: usize| light(frame).polynomials(&places[frame - span.first]);
+        let values: Vec<Vec<f64>> = span.frames().map(own).collect();
+        let known = points.map(|frame| &values[frame - span.first]);
+        span.frames().zip(&values).all(|(frame, own)| {
+            let weights = weights(points, frame);
+            let predicted = |band: usize| interpolated(weights, known.map(|own| own[band]));
+            apart(predicted, own) <= BUMP * light(frame).judged_by(own.iter().sum())
         })
     }
 
@@ -214,13 +206,13 @@ impl<'a> Stretch<'a> {
     fn is_smooth(&self, SpotSpan { spot, span }: SpotSpan) -> Option<bool> {
         let points = span.points()?;
         let lights = self.known_in(spot, points)?;
-        let all = |own: &SpotLight| own.light.bands.iter().sum::<f64>();
         let even = EVEN.map(|k| points[k]);
         Some(ODD.into_iter().all(|k| {
-            let predicted = interpolated(weights(even, points[k]), EVEN.map(|k| all(lights[k])));
+            let weights = weights(even, points[k]);
+            let predicted = |band: usize| interpolated(weights, EVEN.map(|k| lights[k].light.bands[band]));
             let SpotLight { light, lit, .. } = lights[k];
-            let judged = self.gatherers[points[k]].light().judged_by(all(lights[k]) + lit);
-            (predicted - all(lights[k])).abs() <= SMOOTH * judged + light.error
+            let judged = self.gatherers[points[k]].light().judged_by(light.bands.iter().sum::<f64>() + lit);
+            apart(predicted, &light.bands) <= SMOOTH * judged + light.error
         }))
     }
 
@@ -263,10 +255,16 @@ impl<'a> Stretch<'a> {
         let gathered = self.gatherers[frame].spots(&spots, work);
         for ((_, own), gathered) in found.iter().zip(gathered) {
             let (Some(own), Some(right)) = (own, gathered) else { continue };
-            let sum = |own: &SpotLight| own.light.bands.iter().sum::<f64>();
-            self.error.take(sum(own) - sum(&right), sum(&right) + right.lit);
+            let bands = &right.light.bands;
+            let difference = apart(|band| own.light.bands[band], bands);
+            self.error.take(difference, bands.iter().sum::<f64>() + right.lit);
         }
     }
+}
+
+/// Σ_b |difference| of light from that of each band: colour counts where the sum stays.
+fn apart(light: impl Fn(usize) -> f64, bands: &[f64]) -> f64 {
+    bands.iter().enumerate().map(|(band, own)| (light(band) - own).abs()).sum()
 }
 
 /// One frame of a stretch.
