@@ -1,5 +1,6 @@
 //! `radiosity animate`: the frames of a scene in which things move.
 
+mod refusal;
 mod encoder;
 mod apng;
 mod frame_files;

@@ -176,8 +176,8 @@ fn beside_what_moves_light_is_gathered_in_each_frame() {
     }
 }
 
-/// A closed room lit by what a lamp sends to the ceiling, which has these factors in two bands in nine frames. What else
-/// glows, hardly, does so otherwise in each: something happens in all steps.
+/// A closed room lit by what a lamp sends to the ceiling, which has these factors in two bands in nine frames. What
+/// else glows, hardly, does so otherwise in each: something happens in all steps.
 fn coloured_room(factors: &str) -> Scene {
     let text = format!(
         r#"
@@ -210,8 +210,8 @@ emission = {{ factors = [1, 1.1] }}
     typed(&text)
 }
 
-/// The colour of a lamp flips between two frames, or in one alone; the sum of its bands stays. Judged by that sum, light
-/// is interpolated all the same, and pictures are off by 0.08 to 1.5 of the mean.
+/// The colour of a lamp flips between two frames, or in one alone; the sum of its bands stays. Judged by that sum,
+/// light is interpolated all the same, and pictures are off by 0.08 to 1.5 of the mean.
 #[test]
 fn light_that_changes_its_colour_alone_is_not_interpolated() {
     let flip = "{ factors = [[1, 0.4], [0.4, 1]], times = [4, 5] }";

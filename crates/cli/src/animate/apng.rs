@@ -5,7 +5,7 @@ use std::path::Path;
 
 use radiosity_output::drawings::picture::Picture;
 
-use super::frame_files::refused;
+use super::refusal::refused;
 use crate::error::CliError;
 use crate::output_file::OutputFile;
 

@@ -11,6 +11,7 @@ use radiosity_work::ranks::Ranks;
 
 use super::apng::{Apng, delay, require_slowness};
 use super::encoder::{Container, Encoder, require_program};
+use super::refusal::refused;
 use crate::error::CliError;
 use crate::loaded::Loaded;
 use crate::output_file::OutputFile;
@@ -165,11 +166,6 @@ impl FrameFiles {
             frames.iter().try_for_each(|frame| encoder.write_frame(frame)).map_err(io::Error::other)
         })
     }
-}
-
-/// Refuses what a name as typed asks for.
-pub(super) fn refused(name: &Path, message: &str, cure: &str) -> CliError {
-    CliError::refused(format!("{}: {message}", name.display()), cure)
 }
 
 /// Refuses more pictures a second than viewers show of a GIF, or fewer than it can have.
