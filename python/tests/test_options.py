@@ -26,7 +26,7 @@ CASES = {
     "grid": (LIGHT - {"keep_partial"} | set(options.Cells.__annotations__) | {"cells"}, set()),
     "render": (
         LIGHT - {"keep_partial"} | set(options.Picture.__annotations__) | {"size"},
-        {"importance", "eye", "target", "view_up", "fov", "exposure", "false_colour", "difference", "wireframe", *STYLE - {"show", "size"}},
+        {"importance", "preview", "eye", "target", "view_up", "fov", "exposure", "false_colour", "difference", "wireframe", *STYLE - {"show", "size"}},
     ),
     "audit": (LIGHT - {"keep_partial", "audit"} | set(options.Auditing.__annotations__), {"picture", "size", "of"}),
     "heat": (SCENE | set(options.HeatMethod.__annotations__), {"picture", *STYLE}),

@@ -387,6 +387,11 @@ fn open_pieces(region: &PlanarRegion, holes: &[&Vec<DVec3>]) -> Vec<Vec<DVec3>> 
         .collect()
 }
 
+/// The shapes of all surfaces, footprints with them.
+fn whole_shapes(scene: &Scene) -> Vec<Arc<dyn Surface>> {
+    scene.surfaces.iter().map(|surface| Arc::clone(&surface.shape)).collect()
+}
+
 /// The shaded parts of all surfaces; none where a number of elements is asked for.
 fn shaded_parts(
     scene: &Scene,
@@ -422,7 +427,7 @@ pub struct CutSize {
 pub fn cut_sizes(scene: &Scene, how: &Discretization) -> Vec<CutSize> {
     let resolution = Resolution::new(scene, how);
     let covered_parts = CoveredParts::new(scene);
-    let shaded_parts = shaded_parts(scene, how, &bare_shapes(scene), &covered_parts);
+    let shaded_parts = shaded_parts(scene, how, &whole_shapes(scene), &covered_parts);
     let size = |(index, surface): (usize, &SceneSurface)| {
         let [along, across] = resolution.breaks(index, surface).map(|breaks| (breaks.len() - 1) as u64);
         let covered = (covered_parts.of_surface(index).len() + shaded_parts.of_surface(index).len()) as u64;
@@ -435,7 +440,7 @@ pub fn cut_sizes(scene: &Scene, how: &Discretization) -> Vec<CutSize> {
 /// Upper bounds of the elements of each surface of a mesh, and about the functions on each.
 pub fn mesh_sizes(scene: &Scene, how: &Discretization, mesh: &Mesh) -> Vec<CutSize> {
     let covered_parts = CoveredParts::new(scene);
-    let shaded_parts = shaded_parts(scene, how, &bare_shapes(scene), &covered_parts);
+    let shaded_parts = shaded_parts(scene, how, &whole_shapes(scene), &covered_parts);
     let size = |(index, tree): (usize, &Tree<usize>)| {
         let orders = tree.values();
         let squares: usize = orders.iter().map(|order| how.space.count(**order).pow(2)).sum();
