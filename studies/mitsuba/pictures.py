@@ -5,9 +5,7 @@ emitter, M ± s being the truth, B and M exitance, the means over a pixel.
 """
 
 import argparse
-import csv
 import json
-import os
 import pathlib
 import statistics
 import subprocess
@@ -19,7 +17,8 @@ import drjit as dr
 import mitsuba as mi
 import numpy
 
-COLUMNS = ["scene", "program", "setting", "seconds", "error"]
+from table import integers, row
+
 # Samples a pixel of one launch of the truth, which bounds its memory. Chosen.
 LAUNCH = 256
 # Samples a pixel that look for emitters. Chosen.
@@ -111,21 +110,6 @@ def run_radiosity(args):
                 seconds.append(time.perf_counter() - start)
             found = numpy.array(mi.Bitmap(str(picture)).convert(mi.Bitmap.PixelFormat.RGB, mi.Struct.Type.Float64))
         row(args, args.name, setting or "default", statistics.median(seconds), error(found, args.truth))
-
-
-def row(args, program, setting, seconds, found):
-    """A row at the end of the table."""
-    is_new = not os.path.exists(args.output)
-    with open(args.output, "a", newline="") as file:
-        writer = csv.writer(file)
-        if is_new:
-            writer.writerow(COLUMNS)
-        writer.writerow([pathlib.Path(args.scene).stem, program, setting, f"{seconds:.3f}", f"{found:.5f}"])
-    print(f"{args.scene}, {program}, {setting}: {seconds:.3f} s, {100 * found:.3f} %", file=sys.stderr)
-
-
-def integers(text):
-    return [int(own) for own in text.split(",")]
 
 
 def arguments():

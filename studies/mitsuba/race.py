@@ -5,7 +5,6 @@ Tables are CSV. Errors are L2, relative: √(Σ ((E − M)² − s²) / Σ M²),
 
 import argparse
 import csv
-import os
 import pathlib
 import statistics
 import subprocess
@@ -17,7 +16,8 @@ import drjit as dr
 import mitsuba as mi
 import numpy
 
-COLUMNS = ["scene", "program", "setting", "seconds", "error"]
+from table import integers, row
+
 # Launches before times count: kernels are compiled, memory is taken.
 WARM_UP = 2
 
@@ -111,21 +111,6 @@ def run_radiosity(args):
             name = f"accuracy {accuracy}" if float(accuracy) > 0 else "default"
             name += " missed" if done.returncode == 3 else ""
             row(args, args.name, name, statistics.median(seconds), error(own, right))
-
-
-def row(args, program, setting, seconds, found):
-    """A row at the end of the table."""
-    is_new = not os.path.exists(args.output)
-    with open(args.output, "a", newline="") as file:
-        writer = csv.writer(file)
-        if is_new:
-            writer.writerow(COLUMNS)
-        writer.writerow([pathlib.Path(args.scene).stem, program, setting, f"{seconds:.3f}", f"{found:.5f}"])
-    print(f"{args.scene}, {program}, {setting}: {seconds:.3f} s, {100 * found:.3f} %", file=sys.stderr)
-
-
-def integers(text):
-    return [int(own) for own in text.split(",")]
 
 
 def arguments():

@@ -15,7 +15,6 @@
 //! Imports `core`, `geom`, `work`, `scene` and `visibility`.
 
 pub mod cells;
-pub mod extent;
 pub mod columns;
 pub mod patch;
 pub mod frame;
@@ -78,14 +77,14 @@ struct Cells {
     is_refined: bool,
 }
 
-/// The cut of one surface: its cells with the element of each, and the covered elements.
+/// The cut of one surface: its cells with the element of each, and the elements of covered and shaded parts.
 #[derive(Debug)]
 struct SurfaceCut {
     shape: Arc<dyn Surface>,
     /// Diagonal of its bounding box (scene length).
     extent: f64,
     cells: Tree<Option<usize>>,
-    /// Elements of the covered parts, ascending.
+    /// Elements of the covered and of the shaded parts, ascending.
     covered: Vec<usize>,
     /// The boxes around them.
     places: Bvh,
@@ -224,7 +223,7 @@ impl Elements {
         self.cells.is_refined.then_some(&self.cells.mesh)
     }
 
-    /// The mesh after what `refinement` says of each element; covered parts stay.
+    /// The mesh after what `refinement` says of each element; covered and shaded parts stay.
     pub fn refined(&self, refinement: &[CellRefinement]) -> Mesh {
         let leaves: Vec<Vec<Option<usize>>> =
             self.surfaces.iter().map(|cut| cut.cells.values().into_iter().copied().collect()).collect();

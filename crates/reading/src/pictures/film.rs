@@ -38,7 +38,8 @@ use stretch::{Stretch, StretchFrame};
 /// an eighth of them where it is smooth, and so many solutions are held.
 const STRETCH: usize = 32;
 
-/// Part of the time of pictures alone that pictures of a film take. Measured in the billiard room at 160 × 90: 0.4.
+/// Part of the time of pictures alone that pictures of a film take. Measured in the billiard room at 160 × 90, 33
+/// frames, each solved and checked too: 1.41 s a frame, alone 2.90 s.
 const SHARED: f64 = 0.5;
 
 /// A frame that is solved, as a film shows it.

@@ -20,6 +20,7 @@
 //! 1988 (interpolation of indirect light between points that are kept; there by the distances of what is seen,
 //! here by what the fit leaves).
 
+pub(crate) mod extent;
 pub(crate) mod open_part;
 pub(crate) mod fit;
 mod lattice;

@@ -9,8 +9,8 @@
 //! the open part of a flat surface lies at the nearest point of its border.
 
 use radiosity_elements::Elements;
-use radiosity_elements::extent::Extent;
 
+use super::extent::Extent;
 use super::fit::weight;
 use super::open_part::{OpenPart, open_place};
 use crate::pictures::eye::SeenPlace;

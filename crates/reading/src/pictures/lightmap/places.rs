@@ -4,8 +4,8 @@ use radiosity_elements::Elements;
 use radiosity_geom::{Jet, Rect, Surface};
 
 use crate::pictures::eye::SeenPlace;
+use crate::pictures::light_field::extent::Extent;
 use crate::pictures::light_field::open_part::{OpenPart, open_place};
-use radiosity_elements::extent::Extent;
 
 /// Greatest distance from the open part to the centre of a texel that takes the light of its nearest point,
 /// over the diagonal of a texel: interpolation inside asks for texels up to 1 away.

@@ -6,7 +6,7 @@
 use radiosity_geom::Surface;
 use radiosity_scene::Scene;
 
-use radiosity_elements::extent::Extent;
+use crate::pictures::light_field::extent::Extent;
 
 /// Fewest texels along a parameter of a flat surface, and of a curved one, on which light varies with the
 /// normal; most of any. All are chosen.

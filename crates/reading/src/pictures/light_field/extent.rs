@@ -7,14 +7,14 @@ const PIECES: usize = 16;
 const LINES: usize = 5;
 
 /// The extent of a surface along its parameter lines.
-pub struct Extent {
+pub(crate) struct Extent {
     /// Lengths of the longest lines along u and along v (scene length).
     pub lengths: [f64; 2],
 }
 
 impl Extent {
     /// The extent of a surface.
-    pub fn of(shape: &dyn Surface) -> Self {
+    pub(crate) fn of(shape: &dyn Surface) -> Self {
         let at = |s: f64, t: f64| shape.jet(2.0 * s - 1.0, 2.0 * t - 1.0).position;
         let length = |line: &dyn Fn(f64) -> DVec3| -> f64 {
             let place = |k: usize| line(k as f64 / PIECES as f64);
