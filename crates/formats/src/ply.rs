@@ -1,8 +1,8 @@
 //! PLY, the polygon file format (G. Turk, *The PLY Polygon File Format*, 1994), as text and binary of both
 //! byte orders.
 //!
-//! Of `vertex` elements x, y and z are read, of `face` elements the list `vertex_indices` or `vertex_index`;
-//! corners run counter-clockwise seen from the front. Faces keep all their corners; coplanar ones are
+//! Of `vertex` elements x, y and z are read, of `face` elements and of `tristrips` the list `vertex_indices` or
+//! `vertex_index`; corners run counter-clockwise seen from the front. Faces keep all their corners; coplanar ones are
 //! [merged](crate::merge). There are no materials and no units: colours are left out, other elements and
 //! properties are skipped.
 

@@ -13,6 +13,7 @@ use crate::tolerances::GREATEST;
 
 const TEXTURES: &str = "textures are left out";
 const SPECULAR: &str = "specular reflection is left out";
+const AMBIENT: &str = "a Ka above 1 is left out: a lamp has Ke";
 const TRANSPARENCY: &str = "transparency is left out";
 
 /// A material of an MTL.
@@ -84,6 +85,9 @@ impl Mtl {
         match keyword.to_ascii_lowercase().as_str() {
             "kd" => self.diffuse = Some(colour(rest, "Kd")?),
             "ke" => self.radiance = colour(rest, "Ke")?,
+            "ka" if colour(rest, "Ka").is_ok_and(|colour| colour.iter().any(|value| *value > 1.0)) => {
+                self.leave_out(AMBIENT);
+            }
             "ks" if colour(rest, "Ks").is_ok_and(|colour| colour != [0.0; 3]) => self.leave_out(SPECULAR),
             "d" if last(rest).is_some_and(|d| d < 1.0) => self.leave_out(TRANSPARENCY),
             // Programs write 0 for opaque, as transparency, or 1, as its opposite.

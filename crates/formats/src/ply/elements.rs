@@ -59,6 +59,7 @@ impl Elements {
             match element.name.as_str() {
                 "vertex" => self.read_vertices(element, numbers)?,
                 "face" => self.read_faces(element, numbers)?,
+                "tristrips" => self.read_strips(element, numbers)?,
                 _ => {
                     for _ in 0..element.count {
                         row(&element.properties, numbers, &[], &mut |_, _| Ok(()))?;
@@ -99,29 +100,38 @@ impl Elements {
     }
 
     fn read_faces(&mut self, element: &Element, numbers: &mut dyn Numbers) -> Result<(), Refusal> {
-        let is_list =
-            |property: &Property| property.count.is_some() && LISTS.contains(&property.name.as_str());
-        let Some(list) = element.properties.iter().position(is_list) else {
-            return refuse_at(
-                FilePlace::Line(element.line),
-                "the faces have no list vertex_indices",
-                "add 'property list uchar int vertex_indices', or export the model with faces",
-            );
-        };
+        let list = list_of_corners(element)?;
         for _ in 0..element.count {
             let place = numbers.place();
             self.faces.push(Face { start: self.corners.len(), place });
             let corners = &mut self.corners;
+            row(&element.properties, numbers, &[list], &mut |_, corner| add_corner(corners, corner, place))?;
+        }
+        Ok(())
+    }
+
+    /// Reads strips of triangles: each corner from the third one on makes one with the two before it, those of odd
+    /// places turned over; −1 begins another strip.
+    fn read_strips(&mut self, element: &Element, numbers: &mut dyn Numbers) -> Result<(), Refusal> {
+        let list = list_of_corners(element)?;
+        for _ in 0..element.count {
+            let place = numbers.place();
+            let mut strip: Vec<f64> = Vec::new();
             row(&element.properties, numbers, &[list], &mut |_, corner| {
-                corners.push(corner);
-                match corners.len() <= MOST_ROWS {
-                    true => Ok(()),
-                    false => refuse_at(
-                        place,
-                        format!("the faces have more than {MOST_ROWS} corners"),
-                        "split the model",
-                    ),
+                if corner == -1.0 {
+                    strip.clear();
+                    return Ok(());
                 }
+                strip.push(corner);
+                let [.., a, b, c] = strip[..] else { return Ok(()) };
+                // A corner that is repeated turns the strip, and makes no triangle.
+                if a == b || b == c || c == a {
+                    return Ok(());
+                }
+                self.faces.push(Face { start: self.corners.len(), place });
+                let is_turned = strip.len() % 2 == 0;
+                let triangle = if is_turned { [b, a, c] } else { [a, b, c] };
+                triangle.into_iter().try_for_each(|corner| add_corner(&mut self.corners, corner, place))
             })?;
         }
         Ok(())
@@ -151,6 +161,25 @@ impl Elements {
                 "correct the number, or list the vertex",
             ),
         }
+    }
+}
+
+/// Index of the property of an element that lists corners.
+fn list_of_corners(element: &Element) -> Result<usize, Refusal> {
+    let is_list = |property: &Property| property.count.is_some() && LISTS.contains(&property.name.as_str());
+    element.properties.iter().position(is_list).ok_or_else(|| {
+        let cause = format!("the elements '{}' have no list vertex_indices", short(&element.name));
+        let cure = "add 'property list uchar int vertex_indices', or export the model with faces";
+        Refusal::new(cause, cure).at(FilePlace::Line(element.line))
+    })
+}
+
+/// Adds a corner to those of all faces.
+fn add_corner(corners: &mut Vec<f64>, corner: f64, place: FilePlace) -> Result<(), Refusal> {
+    corners.push(corner);
+    match corners.len() <= MOST_ROWS {
+        true => Ok(()),
+        false => refuse_at(place, format!("the faces have more than {MOST_ROWS} corners"), "split the model"),
     }
 }
 
@@ -195,9 +224,8 @@ fn note(element: &Element, model: &mut Model) {
         model.note("colours are left out", place);
     }
     match element.name.as_str() {
-        "vertex" | "face" => {}
+        "vertex" | "face" | "tristrips" => {}
         "edge" => model.note("edges are left out", place),
-        "tristrips" => model.note("strips of triangles are left out", place),
         _ => model.note("elements other than vertices and faces are left out", place),
     }
 }

@@ -62,7 +62,7 @@ fn round(
         let by_others = format!("{} {verb} a part of the place of", spelt(&others));
         let text = move |name: &str, names: &[String]| {
             let made = match names {
-                [] => "nothing of it was left".to_owned(),
+                [] => format!("nothing of {name:?} was left"),
                 [_] => format!("that part of {name:?} was cut out"),
                 names => format!("that part of {name:?} was cut out, which left {}", spelt(names)),
             };

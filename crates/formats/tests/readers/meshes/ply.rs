@@ -110,7 +110,11 @@ fn broken_files_are_refused() {
     refused(&change("vertex 8", "vertex -8"), "a.ply:4: the number of 'vertex' is '-8'", "how many");
     refused(&change("float x", "real x"), "a.ply:5: 'real' is no type of numbers", "float");
     refused(&change("float x", "float w"), "a.ply:4: the vertices have no property x", "x, y and z");
-    refused(&change("vertex_indices", "corners"), "a.ply:8: the faces have no list vertex_indices", "list");
+    refused(
+        &change("vertex_indices", "corners"),
+        "a.ply:8: the elements 'face' have no list vertex_indices",
+        "list",
+    );
     refused("ply\nproperty int a\n", "a.ply:2: a property stands before all elements", "behind");
     refused(
         &change("vertex 8", "vertex 88888888"),
