@@ -1,5 +1,6 @@
 //! Rows of a table as CSV and JSON, each made when it is written.
 
+use std::borrow::Cow;
 use std::io::{self, Write};
 
 use serde::{Serialize, Serializer};
@@ -29,16 +30,28 @@ impl<'a, R: Iterator<Item: AsRef<[Value<'a>]>> + Clone> Listed<'_, R> {
     }
 
     fn records(&self, mut writer: csv::Writer<impl Write>) -> csv::Result<()> {
-        writer.write_record(self.columns.iter().flat_map(|column| &column.names))?;
+        for name in self.columns.iter().flat_map(|column| &column.names) {
+            writer.write_field(no_formula(name).as_bytes())?;
+        }
+        writer.write_record(None::<&[u8]>)?;
         for row in self.rows.clone() {
             for (column, value) in self.columns.iter().zip(row.as_ref()) {
                 for field in value.fields(column.names.len()) {
-                    writer.write_field(field.as_bytes())?;
+                    writer.write_field(no_formula(&field).as_bytes())?;
                 }
             }
             writer.write_record(None::<&[u8]>)?;
         }
         Ok(writer.flush()?)
+    }
+}
+
+/// A cell that no spreadsheet takes for a formula: an apostrophe stands before text that begins as one does.
+fn no_formula(cell: &str) -> Cow<'_, str> {
+    let begins = cell.starts_with(['=', '+', '-', '@', '\t', '\r']);
+    match begins && cell.parse::<f64>().is_err() {
+        true => Cow::Owned(format!("'{cell}")),
+        false => Cow::Borrowed(cell),
     }
 }
 
