@@ -74,9 +74,30 @@ pub fn source_by(
     if let Some(format) = import.format_of(name) {
         return Ok(import.source(name, format, ranks)?.set(settings.iter().copied()));
     }
+    if let Some(cure) = foreign(name) {
+        let cause = "scenes of this format are not read".to_owned();
+        return Err(SceneError::of(name, Fault::new(FaultKind::Foreign, cause, cure)));
+    }
     let origin = if name == "-" { "<stdin>" } else { name };
     let text = input::text(name, ranks).map_err(|error| unreadable(name, origin, &error))?;
     Ok(Source::new(origin, &text).with_files().set(settings.iter().copied()))
+}
+
+/// Cure for a file whose ending tells of a format that is not read.
+fn foreign(name: &str) -> Option<&'static str> {
+    let ending = Path::new(name).extension()?.to_string_lossy().to_ascii_lowercase();
+    Some(match ending.as_str() {
+        "ifc" | "ifczip" | "ifcxml" | "rvt" => {
+            "export it as .glb or .obj: IfcConvert of IfcOpenShell does, and Blender with Bonsai"
+        }
+        "dxf" | "dwg" | "step" | "stp" | "iges" | "igs" | "fcstd" => {
+            "export its faces as .obj or .stl: FreeCAD does"
+        }
+        "fbx" | "dae" | "3ds" | "blend" | "max" | "skp" | "usd" | "usda" | "usdc" | "usdz" | "abc" => {
+            "export it as .glb or .obj: Blender does"
+        }
+        _ => return None,
+    })
 }
 
 /// Reads a scene, of a text or made in code.
