@@ -84,7 +84,7 @@ class Scene:
         """Adds a material, and returns its name.
 
         `reflectance` (0 ≤ ρ < 1) and `emission` (exitance, W/m² or lm/m²) are numbers, or have one for each band. Further keys:
-        `transmittance`, `group`, and for heat `emissivity`, `temperature` (K), `heat_flux` (W/m²), `adiabatic`.
+        `transmittance`, `group`, and for heat `emissivity`, `temperature` (K), `heat_flux` (W/m²), `adiabatic`, `back`.
         """
         name = checked_text("material", name)
         materials = self._add("materials")["materials"]

@@ -9,6 +9,7 @@ use radiosity::kernel::WorstError;
 use radiosity::reading::accuracy_warning::{
     corrected, heat_unchecked, heat_underestimated, missed, no_error_of_cut,
 };
+use radiosity::reading::heat_remarks::{adiabatic_backs, light_without_heat};
 use radiosity::request::{CheckRequest, HeatRequest, TransferRequest};
 use radiosity::work::Work;
 use radiosity::work::ranks::Ranks;
@@ -51,10 +52,7 @@ pub(crate) fn heat_of(
     })?;
     if let Some(worst) = heat.outcome.worst_error.filter(WorstError::is_real) {
         let surface = |element: usize| heat.outcome.solution.elements().list()[element].surface;
-        warn(
-            py,
-            &missed(&worst, worst.pair.map(|element| scene.scene.surfaces[surface(element)].name.as_str())),
-        )?;
+        warn(py, &missed(&worst, worst.pair.map(|element| heat.surfaces[surface(element)].name.as_str())))?;
     }
     if !heat.is_cut {
         warn(py, &no_error_of_cut())?;
@@ -64,7 +62,14 @@ pub(crate) fn heat_of(
     }
     let moved = heat.moved.map(corrected);
     let unchecked = unchecked.as_ref().map(heat_unchecked);
-    let remarks = remarks(&scene.scene).into_iter().chain(moved).chain(unchecked).collect();
+    let backs = adiabatic_backs(&heat.usual_backs(&scene.scene));
+    let remarks = remarks(&scene.scene)
+        .into_iter()
+        .chain(light_without_heat(&scene.scene))
+        .chain(backs)
+        .chain(moved)
+        .chain(unchecked)
+        .collect();
     Ok(Heat { heat, remarks })
 }
 

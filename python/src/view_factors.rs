@@ -135,7 +135,7 @@ fn factors(
     if let Some(finding) = told.checked.as_ref().and_then(Checked::finding) {
         warn(py, &format!("walks find the factors off by more than these tell: {finding}").into())?;
     }
-    let sums = pairs.is_empty().then(|| RowSums::of(&factors, request.accuracy()));
+    let sums = pairs.is_empty().then(|| RowSums::of(scene, &factors, request.accuracy()));
     if let Some(warning) = sums.as_ref().and_then(RowSums::warning) {
         warn(py, &warning.message)?;
     }

@@ -2,6 +2,7 @@
 //! order 0 where the forms are those of networks; and what a balance of heat cannot be made of.
 
 mod shared;
+mod backs;
 mod curved;
 mod enclosures;
 mod refusals;

@@ -7,8 +7,9 @@
 //! sheet of two sides, its flux known:   M = ε (level of the flux alone) ,   ρ = 1 − ε ,   ε leaves anywhere .
 //! ```
 //!
-//! What leaves the scene or meets the black back of a surface is lost to 0 K. Beside them the same walks
-//! carry light by which all of known temperature, the backs and the surroundings have the level 1, so that
+//! The backs of surfaces of one side are sides with conditions of their own
+//! ([`BackCondition`](radiosity_scene::BackCondition)). What leaves the scene is lost to 0 K. Beside them the same walks
+//! carry light by which all of known temperature and the surroundings have the level 1, so that
 //! its irradiance U has the mean 1. With a level L₀ chosen beforehand
 //!
 //! ```text
@@ -80,16 +81,26 @@ impl HeatReferee {
     /// Surfaces that transmit, without a temperature or a flux, without an emissivity that is needed, or
     /// whose heat can end nowhere.
     pub fn of(scene: &Scene) -> Result<Self, HeatFault> {
-        let roles = Roles::of(scene)?;
+        let given = scene.surfaces.len();
+        let one_sided =
+            (0..scene.surfaces.len()).filter(|own| scene.surfaces[*own].back_condition().is_some());
+        let scene = &scene.with_backs(&one_sided.collect::<Vec<_>>());
+        let mut roles = Roles::of(scene)?;
         let rays = Rays::of(scene);
-        let floating = floating(&rays, &roles);
-        if !floating.is_empty() {
+        let mean_level = mean_level(&rays, &roles);
+        let (asked, within): (Vec<usize>, Vec<usize>) =
+            floating(&rays, &roles).into_iter().partition(|surface| *surface < given);
+        if !asked.is_empty() {
             let name = |surface: usize| scene.surfaces[surface].name.clone();
-            return Err(HeatFault::NoLevel { surfaces: floating.into_iter().map(name).collect() });
+            return Err(HeatFault::NoLevel { surfaces: asked.into_iter().map(name).collect() });
+        }
+        // No heat gets to the backs within a body; a walk that slips in ends there.
+        for surface in within {
+            roles.list[surface] = Role::Temperature { emissivity: 1.0, level: mean_level };
         }
         let sheet = |own: &roles::Pair| Sheet::new(&rays, own.sides, own.emissivities, own.flux);
         let sheets = roles.pairs.iter().map(sheet).collect();
-        Ok(Self { groups: Groups::of(scene), mean_level: mean_level(&rays, &roles), sheets, rays, roles })
+        Ok(Self { groups: Groups::of(scene), mean_level, sheets, rays, roles })
     }
 
     /// The heat of these surfaces, by their indices in the scene, in order: the same on any number of threads

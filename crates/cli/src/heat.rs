@@ -13,6 +13,7 @@ use radiosity_output::documents::heat as output;
 use radiosity_reading::accuracy_warning::{
     corrected, heat_unchecked, heat_underestimated, missed, no_error_of_cut,
 };
+use radiosity_reading::heat_remarks::{adiabatic_backs, light_without_heat};
 use radiosity_request::HeatRequest;
 use radiosity_scene::Scene;
 use radiosity_work::digits::significant;
@@ -39,8 +40,9 @@ Examples:
   radiosity heat oven --picture oven.png --isolines
 
 Every surface, or its material, has one of temperature = … (K), heat_flux = … (W/m²) and adiabatic = true, and an
-emissivity. Lengths are metres. What leaves the scene goes to surroundings at 0 K. Conduction, convection and stored heat
-are left out; where they are known, they are a heat_flux.";
+emissivity. Lengths are metres. The back of a surface of one side is adiabatic; back = \"front\" or back = … (K) say
+otherwise. What leaves the scene goes to surroundings at 0 K. Conduction, convection and stored heat are left out; where
+they are known, they are a heat_flux.";
 
 /// Temperatures, net fluxes and flows of radiant heat between grey surfaces
 #[derive(Debug, Args)]
@@ -196,6 +198,8 @@ fn findings(scene: &Scene, heat: &Heat, unchecked: Option<&HeatFault>) -> Vec<St
         format!("the scene is closed: the flows sum to {:.1e} W", heat.lost)
     };
     let mut lines: Vec<String> = heat.moved.map(corrected).into_iter().collect();
+    lines.extend(light_without_heat(scene));
+    lines.extend(adiabatic_backs(&heat.usual_backs(scene)));
     lines.push(format!(
         "surfaces send out {} W and take up {} W; {whole}",
         significant(given, 6),
@@ -209,7 +213,7 @@ fn findings(scene: &Scene, heat: &Heat, unchecked: Option<&HeatFault>) -> Vec<St
     }
     if let Some(worst) = heat.outcome.worst_error.filter(WorstError::is_real) {
         let surface = |element: usize| heat.outcome.solution.elements().list()[element].surface;
-        let names = worst.pair.map(|element| scene.surfaces[surface(element)].name.as_str());
+        let names = worst.pair.map(|element| heat.surfaces[surface(element)].name.as_str());
         lines.push(format!("warning: {}", missed(&worst, names)));
     }
     lines.extend(heat.checked.as_ref().map(Checked::to_string));

@@ -113,7 +113,7 @@ pub(crate) fn run(args: &ViewFactorsArgs, given: &TypedOptions, ranks: &Ranks) -
     destination.write(|writer| form.write(&scene, &factors, &told, writer))?;
     drop(progress);
     let first = costs(&scene, &factors, start.elapsed().as_secs_f64());
-    args.transfers.tell(first, &scene, args.findings(&factors, &told), &args.output, ranks);
+    args.transfers.tell(first, &scene, args.findings(&scene, &factors, &told), &args.output, ranks);
     args.judge(&told)
 }
 
@@ -249,8 +249,8 @@ impl ViewFactorsArgs {
     }
 
     /// The lines of the summary on the factors.
-    fn findings(&self, factors: &ViewFactors, told: &CheckedFactors) -> Vec<String> {
-        let mut lines = if self.pairs.is_empty() { self.sums(factors) } else { Vec::new() };
+    fn findings(&self, scene: &Scene, factors: &ViewFactors, told: &CheckedFactors) -> Vec<String> {
+        let mut lines = if self.pairs.is_empty() { self.sums(scene, factors) } else { Vec::new() };
         lines.extend(told.checked.as_ref().map(ToString::to_string));
         if let Some(finding) = told.checked.as_ref().and_then(Checked::finding) {
             lines.push(format!("warning: walks find the factors off by more than these tell: {finding}"));
@@ -263,8 +263,8 @@ impl ViewFactorsArgs {
     }
 
     /// Lines on row sums.
-    fn sums(&self, factors: &ViewFactors) -> Vec<String> {
-        let sums = RowSums::of(factors, self.transfers.request.accuracy());
+    fn sums(&self, scene: &Scene, factors: &ViewFactors) -> Vec<String> {
+        let sums = RowSums::of(scene, factors, self.transfers.request.accuracy());
         let [range, closed] = sums.lines();
         let warning = sums.warning().map(|warning| warning.to_string());
         [range, closed].into_iter().chain(warning).collect()

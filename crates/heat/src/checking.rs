@@ -39,14 +39,14 @@ impl Heat {
             own.temperature_error = checked.told(own.temperature_error, None);
         }
         for (reading, looked) in run.surfaces.iter().enumerate() {
-            self.take_difference(scene, looked.surface, checked.told(0.0, Some(reading)));
+            self.take_difference(looked.surface, checked.told(0.0, Some(reading)));
         }
         self.checked = Some(checked);
         Ok(())
     }
 
     /// Makes the error of a surface at least that of a difference in watts, and of the other side of a sheet too.
-    fn take_difference(&mut self, scene: &Scene, surface: usize, watts: f64) {
+    fn take_difference(&mut self, surface: usize, watts: f64) {
         let own = &mut self.surfaces[surface];
         if own.is_temperature_known {
             own.flow_error = own.flow_error.max(watts);
@@ -57,7 +57,7 @@ impl Heat {
         if own.is_flow_known {
             return;
         }
-        if let Some(other) = scene.surfaces[surface].other_side {
+        if let Some(other) = self.other_sides[surface] {
             let other = &mut self.surfaces[other];
             other.temperature_error = other.temperature_error.max(kelvin);
         }

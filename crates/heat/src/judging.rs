@@ -53,16 +53,16 @@ pub struct JudgedSurface {
 }
 
 impl Heat {
-    /// Surfaces that can be judged: those of some area, and of sheets of one temperature one side.
+    /// Surfaces of `scene` that can be judged: those of some area, and of sheets of one temperature one side.
     pub fn judgeable(&self, scene: &Scene) -> Vec<usize> {
         let is_sheet = |surface: usize| {
             !self.surfaces[surface].is_temperature_known && !self.surfaces[surface].is_flow_known
         };
         let is_second = |surface: usize| {
-            let other = scene.surfaces[surface].other_side.filter(|other| *other < surface);
+            let other = self.other_sides[surface].filter(|other| *other < surface);
             other.is_some_and(|other| is_sheet(surface) && is_sheet(other))
         };
-        let all = 0..self.surfaces.len();
+        let all = 0..scene.surfaces.len();
         all.filter(|surface| self.surfaces[*surface].area > 0.0 && !is_second(*surface)).collect()
     }
 }

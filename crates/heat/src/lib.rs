@@ -20,7 +20,7 @@
 //! What leaves the scene goes to surroundings at 0 K. Conduction, convection and heat that is stored have no
 //! part in it; where they are known, they are a `heat_flux`.
 //!
-//! In order: [`HeatError`], `black_body`, `roles` (what is known of each surface), `coats` (scenes with the
+//! In order: [`HeatError`], `black_body`, `backs` (which of them heat reaches), `roles` (what is known of each surface), `coats` (scenes with the
 //! coatings of heat), `closure` (rows that sum to 1), `levels`, `figures` (of each surface), `field` (σ T⁴
 //! over surfaces), `shields`, `conductances`, `cut` (elements that tell the
 //! error), `forecast`, [`Heat`], the balance, [`judging`], what a referee says of it, and `checking`, its errors
@@ -30,6 +30,7 @@
 
 mod error;
 mod black_body;
+mod backs;
 mod roles;
 mod coats;
 mod closure;
@@ -44,7 +45,7 @@ pub mod judging;
 mod checking;
 
 use radiosity_audit::Checked;
-use radiosity_scene::Scene;
+use radiosity_scene::{BackCondition, Scene, SceneSurface};
 use radiosity_solve::solution::Solution;
 use radiosity_solve::{Direct, Model, Options, Outcome, Transport};
 use radiosity_work::{Progress, Stage, Work};
@@ -60,9 +61,8 @@ use figures::{add_errors, add_errors_of_blocks, difference, figures};
 use forecast::Forecast;
 use roles::Roles;
 
-/// Largest share of the heat exchanged that may be lost in a scene that counts as closed. An arbitrary
-/// choice: with a larger value leaks go untold, with a smaller one errors of the transfers count as leaks.
-const CLOSED: f64 = 1e-3;
+/// Rounding of the sum of flows over what surfaces exchange: 2⁻⁵² times some thousand terms.
+const ROUNDING: f64 = 1e-12;
 
 /// Accuracy of transfers beyond which none is asked for. Chosen: a coarser one tells nothing.
 const LARGEST_EPS: f64 = 0.1;
@@ -70,7 +70,8 @@ const LARGEST_EPS: f64 = 0.1;
 /// The balance of heat of a scene.
 #[derive(Debug)]
 pub struct Heat {
-    /// The figures of each surface, in the order of the scene.
+    /// The figures of each surface, in the order of the scene, and behind them those of backs of surfaces of one side
+    /// that have a temperature, or that heat reaches.
     pub surfaces: Vec<SurfaceHeat>,
     /// Flow (W) that leaves the scene, Σ Q; in a closed scene how well the balance closes.
     pub lost: f64,
@@ -86,6 +87,8 @@ pub struct Heat {
     pub conductances: Option<Conductances>,
     /// Polynomials of irradiance and radiosity in the single band `heat`, with cost and self-checks.
     pub outcome: Outcome,
+    /// The other side of each surface that is a side of a sheet.
+    other_sides: Vec<Option<usize>>,
 }
 
 /// Options of a balance of heat.
@@ -126,6 +129,7 @@ impl Heat {
     /// Surfaces without a temperature, a flux or an emissivity; parts of the scene whose level no temperature
     /// sets; more heat drawn than arrives; too little memory; what [`radiosity_solve::solve()`] refuses.
     pub fn of(scene: &Scene, wanted: &HeatOptions, work: &Work<'_>) -> Result<Self, HeatError> {
+        let scene = &wanted.options.in_threads(work.ranks, || backs::with_backs(scene))?;
         let roles = Roles::of(scene)?;
         let options = Options { direct: Direct::Projected, ..wanted.options };
         let forecast = Forecast::of(scene, &roles, &options, work.ranks);
@@ -152,6 +156,7 @@ impl Heat {
             checked: None,
             conductances,
             outcome,
+            other_sides: scene.surfaces.iter().map(|surface| surface.other_side).collect(),
         };
         let compared = |progress| work.report(of_comparison(progress));
         let reached = options.eps.max(heat.outcome.accuracy_reached);
@@ -190,10 +195,22 @@ impl Heat {
         Ok(())
     }
 
-    /// Whether hardly any heat leaves the scene: less than a thousandth of what its surfaces exchange.
+    /// Whether no heat leaves the scene, as far as is known: the flows sum to 0 within their errors.
     pub fn is_closed(&self) -> bool {
         let exchanged = |own: &SurfaceHeat| own.area * own.radiosity.max(own.irradiance);
-        self.lost.abs() <= CLOSED * self.surfaces.iter().map(exchanged).sum::<f64>()
+        let rounding = ROUNDING * self.surfaces.iter().map(exchanged).sum::<f64>();
+        self.lost.abs() <= rounding + self.surfaces.iter().map(|own| own.flow_error).sum::<f64>()
+    }
+
+    /// Names of the surfaces of `scene`, of which this is the balance, whose backs heat reaches and are adiabatic because
+    /// nothing else was said.
+    pub fn usual_backs<'a>(&self, scene: &'a Scene) -> Vec<&'a str> {
+        let has_back = self.other_sides.iter().zip(&scene.surfaces);
+        let is_usual = |surface: &SceneSurface| {
+            surface.back_condition() == Some(BackCondition::Adiabatic) && surface.thermal.back.is_none()
+        };
+        let usual = has_back.filter(|(back, surface)| back.is_some() && is_usual(surface));
+        usual.map(|(_, surface)| surface.name.as_str()).collect()
     }
 
     /// σ T⁴ (W m⁻²) at all places, as the radiosity of a solution over the same elements: what a black

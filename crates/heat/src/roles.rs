@@ -116,7 +116,8 @@ fn shields(scene: &Scene) -> Vec<Shield> {
         // A surface may be called so without being a back. Sides of other conditions are insulated from each
         // other.
         let other = &scene.surfaces[front];
-        let is_sheet = other.thermal.condition == surface.thermal.condition && lie_together(other, surface);
+        let is_one = !surface.is_insulated() && other.thermal.condition == surface.thermal.condition;
+        let is_sheet = is_one && lie_together(other, surface);
         is_sheet.then_some(Shield { sides: [front, back], flux })
     };
     scene.surfaces.iter().enumerate().filter_map(shield).collect()

@@ -5,7 +5,7 @@ use std::{collections::BTreeMap, sync::Arc};
 use radiosity_geom::{DVec3, Surface};
 use radiosity_scene::{
     Camera, Fault, FaultKind, Glass, MaskedPairDraft, Material, Opening, SensorPlane, Sky, Source, Sun,
-    SurfaceDraft, Thermal,
+    SurfaceDraft,
     bands::check_bands,
     covering::Covering,
     error::{Located, title},
@@ -118,7 +118,7 @@ fn covering(
     let span = file.transmittance.as_ref().map_or(&name.span, |given| &given.span);
     material.check(bands).map_err(|fault| Located::at(span, fault))?;
     let group = file.group.map(|group| group.value);
-    let thermal = Thermal { emissivity: file.emissivity, condition: file.condition.condition() };
+    let thermal = file.condition.thermal(file.emissivity);
     Ok(Covering { thermal, group, ..Covering::new(name.value.clone(), material) })
 }
 
@@ -210,7 +210,7 @@ fn draft(
         flux: flux(file.flux.as_ref(), bands)?,
         opening: None,
         radiance: None,
-        thermal: Thermal { condition: file.condition.condition(), emissivity: None },
+        thermal: file.condition.thermal(None),
         front: covering(&file.material)?.unwrap_or_else(|| Covering::black(bands)),
         back: covering(&file.back_material)?,
         group: file.group.as_ref().map(|own| own.value.clone()),

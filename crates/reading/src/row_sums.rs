@@ -2,7 +2,9 @@
 //! has.
 
 use radiosity_kernel::Accuracy;
+use radiosity_scene::Scene;
 use radiosity_solve::view_factors::ViewFactors;
+use radiosity_visibility::inspection::Regions;
 use radiosity_work::wording::{command, option, words};
 
 use crate::warning::Warning;
@@ -27,6 +29,8 @@ pub struct RowSums {
     pub losing: usize,
     /// Distance from 1 up to which sums count as 1.
     pub tolerance: f64,
+    /// Whether the surfaces are known to bound closed regions with their fronts ([`Regions`]).
+    pub are_of_closed_regions: bool,
 }
 
 /// The row sum of one surface.
@@ -39,8 +43,10 @@ pub struct RowSum {
 }
 
 impl RowSums {
-    /// The row sums of `factors` that were to be found to this accuracy.
-    pub fn of(factors: &ViewFactors, accuracy: Accuracy) -> Self {
+    /// The row sums of the `factors` of `scene` that were to be found to this accuracy.
+    pub fn of(scene: &Scene, factors: &ViewFactors, accuracy: Accuracy) -> Self {
+        let is_closed =
+            |regions: Regions| (0..scene.surfaces.len()).all(|surface| regions.is_closed(surface));
         let sums = factors.row_sums();
         let by_sum = |a: &usize, b: &usize| sums[*a].total_cmp(&sums[*b]);
         let row = |surface: usize| RowSum { surface: factors.names[surface].clone(), sum: sums[surface] };
@@ -52,12 +58,18 @@ impl RowSums {
             most: row((0..sums.len()).max_by(by_sum).expect("a scene has surfaces")),
             losing: sums.iter().filter(|sum| **sum < 1.0 - tolerance).count(),
             tolerance,
+            are_of_closed_regions: Regions::of(scene).is_some_and(is_closed),
         }
     }
 
-    /// Whether all that leaves a surface reaches another; None where the sums are known too badly to tell.
+    /// Whether all that leaves a surface reaches another; None where the sums are known too badly to tell, or the
+    /// surfaces are not known to be closed while nothing is seen to be lost.
     pub fn is_closed(&self) -> Option<bool> {
-        (self.tolerance <= VAGUE).then_some(self.losing == 0)
+        match self.losing {
+            _ if self.tolerance > VAGUE => None,
+            0 => self.are_of_closed_regions.then_some(true),
+            _ => Some(false),
+        }
     }
 
     /// The sums in words, and what they say of the scene.
@@ -66,7 +78,10 @@ impl RowSums {
             .map(|row| format!("{} (surface '{}')", decimals(row.sum, 9), row.surface));
         let range = format!("row sums {least} to {most}");
         let closed = match self.is_closed() {
-            None => "row sums are known too badly to tell whether the scene is closed".to_owned(),
+            None if self.tolerance > VAGUE => {
+                "row sums are known too badly to tell whether the scene is closed".to_owned()
+            }
+            None => format!("no surface loses more than {:.1e} of what leaves it", self.tolerance),
             Some(true) => "the scene is closed: all that leaves a surface reaches another".to_owned(),
             Some(false) => format!(
                 "the scene is open: {} of {} surfaces lose part of what leaves them",

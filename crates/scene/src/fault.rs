@@ -253,6 +253,14 @@ impl Fault {
         Self::conflict(format!("{what} needs a surface of two sides"), "add two_sided = true to the surface")
     }
 
+    /// The heat of a back on a surface of two sides.
+    pub(crate) fn two_sided_back() -> Self {
+        let cause = "the heat of the back is given, yet the surface has two sides".to_owned();
+        let cure = "leave back out, both sides have one condition; or leave two_sided out: back = \"front\" lets both \
+                    sides send out heat at one temperature";
+        Self::conflict(cause, cure)
+    }
+
     /// An extent that no luminaire has.
     pub fn bad_extent(problem: &str, cure: &str) -> Self {
         Self::conflict(format!("the light of a luminaire cannot come out of this: {problem}"), cure)

@@ -59,6 +59,7 @@ mod group_factors;
 mod with_material;
 mod still_scene;
 mod frame_scenes;
+mod backs;
 
 use radiosity_geom::DVec3;
 use radiosity_work::wording::{Wording, command, option, set, words};
@@ -96,7 +97,7 @@ pub use sky::{Sky, SkyModel, Sun};
 pub use source::Source;
 pub use surface::SceneSurface;
 pub use surface_draft::SurfaceDraft;
-pub use thermal::{Condition, Thermal};
+pub use thermal::{BackCondition, Condition, Thermal};
 pub use time_function::{Curve, Interpolable, TimeFunction};
 pub use tree::Tree;
 

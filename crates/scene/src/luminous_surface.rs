@@ -88,7 +88,7 @@ fn draft(
         opening: None,
         radiance: Some(Radiance::Luminaire(Arc::new(area))),
         // In `heat` the surface is adiabatic: it sends out as much as it absorbs.
-        thermal: Thermal { emissivity: Some(1.0), condition: Some(Condition::HeatFlux(0.0)) },
+        thermal: Thermal { emissivity: Some(1.0), condition: Some(Condition::HeatFlux(0.0)), back: None },
         order: None,
         subdivide: None,
         two_sided: false,

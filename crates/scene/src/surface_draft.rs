@@ -20,7 +20,7 @@ use crate::{
     radiance::Radiance,
     ranges::{check_number, check_order, check_parts},
     surface::SceneSurface,
-    thermal::{Condition, Thermal},
+    thermal::{BackCondition, Condition, Thermal},
 };
 
 /// A surface on its way into a scene; see [`SceneBuilder::surface`](crate::SceneBuilder::surface).
@@ -141,6 +141,12 @@ impl SurfaceDraft {
         self
     }
 
+    /// Sets the condition of its back for `heat`, where it is of one side.
+    pub fn back_condition(&mut self, back: BackCondition) -> &mut Self {
+        self.thermal.back = Some(back);
+        self
+    }
+
     /// Sets the order of the basis here, at most [`MAX_ORDER`](crate::MAX_ORDER), instead of the order asked
     /// for.
     pub fn order(&mut self, order: usize) -> &mut Self {
@@ -196,7 +202,9 @@ impl SurfaceDraft {
     fn check_sides(&self) -> Result<(), Located> {
         let [front, back] = self.typed.as_ref().map_or([None, None], |typed| typed.materials.clone());
         let other = self.back.as_ref().map(|own| &own.material);
+        let is_own = self.two_sided && self.thermal.back.is_some();
         let (span, checked) = match other {
+            _ if is_own => (None, Err(Fault::two_sided_back())),
             Some(_) if !self.two_sided => (back, Err(Fault::one_sided("a back material"))),
             Some(other) => (back, check_sheet(&self.front.material, Some(other))),
             None if self.two_sided => return Ok(()),
@@ -306,6 +314,7 @@ impl SurfaceDraft {
             thermal: Thermal {
                 emissivity: self.thermal.emissivity.or(covering.thermal.emissivity),
                 condition: self.thermal.condition.or(covering.thermal.condition),
+                back: self.thermal.back.or(covering.thermal.back).filter(|_| !self.two_sided),
             },
             order: self.order,
             subdivide: self.subdivide,

@@ -19,6 +19,22 @@ pub struct Thermal {
     pub emissivity: Option<f64>,
     /// The temperature or the net flux; none if neither is given.
     pub condition: Option<Condition>,
+    /// The condition of the back of a surface of one side; none if it is not given, which means
+    /// [`BackCondition::Adiabatic`].
+    pub back: Option<BackCondition>,
+}
+
+/// The condition of the back of a surface of one side, as far as the surfaces of a scene see it. With a temperature
+/// it has the emissivity of the front.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum BackCondition {
+    /// It sends out as much as it receives, as insulation does.
+    #[default]
+    Adiabatic,
+    /// It has the temperature of the front, be that known or not.
+    Front,
+    /// Its own temperature (K), ≥ 0.
+    Temperature(f64),
 }
 
 /// The known quantity of a surface: its temperature or its net flux.
@@ -35,6 +51,9 @@ impl Thermal {
     /// Checks the ranges of emissivity, temperature and flux.
     pub(super) fn check(&self) -> Result<(), Fault> {
         self.emissivity.map_or(Ok(()), check_emissivity)?;
+        if let Some(BackCondition::Temperature(kelvin)) = self.back {
+            check_temperature(kelvin)?;
+        }
         match self.condition {
             Some(Condition::Temperature(kelvin)) => check_temperature(kelvin),
             Some(Condition::HeatFlux(value)) if !value.is_finite() => Err(Fault::not_finite(value)),

@@ -15,6 +15,7 @@ mod gap;
 mod luminaires;
 mod leap;
 mod passage;
+mod outside;
 
 use std::collections::HashSet;
 
@@ -23,6 +24,7 @@ use rayon::prelude::*;
 
 pub use contact::SurfaceContact;
 pub use luminaires::NearPoint;
+pub use outside::{BEFORE_OPENINGS, before_openings};
 pub use passage::{Passage, passages};
 pub use regions::Regions;
 pub use shell::{Fronts, Shell};
@@ -70,6 +72,7 @@ impl Inspection {
         warnings.extend(front::turned(&sheets, &groups));
         warnings.extend(front::inside_out(&sheets, &shells, scene.camera.as_ref()));
         warnings.extend(front::blind(&sheets, &lying));
+        warnings.extend(before_openings(scene));
         let frames = scene.frames().checked_sub(1).map(|last| [0, last]);
         let passages = frames.map_or_else(Vec::new, |frames| passage::among(scene, &sheets, frames));
         warnings.extend(passages.iter().map(Passage::warning));

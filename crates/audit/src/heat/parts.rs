@@ -1,7 +1,7 @@
 //! Surfaces from which heat gets to no known temperature and not out of the scene.
 //!
 //! A walk that reflects all ends nowhere else. Rays from surfaces of unknown temperature tell what they see:
-//! those that see a known temperature, a black back or nothing are settled, and so are those that see what is
+//! those that see a known temperature or nothing are settled, and so are those that see what is
 //! settled, and both sides of a sheet with either.
 
 use std::collections::BTreeSet;

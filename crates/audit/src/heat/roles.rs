@@ -55,7 +55,8 @@ impl Roles {
         let other = |index: usize| {
             let other = scene.surfaces[index].other_side?;
             let is_sheet = matches!(conditions[index], Some(Condition::HeatFlux(_)))
-                && conditions[index] == conditions[other];
+                && conditions[index] == conditions[other]
+                && !scene.surfaces[index].is_insulated();
             is_sheet.then_some(other)
         };
         // The irradiance alone tells the temperature of what is adiabatic.

@@ -1,16 +1,18 @@
 //! Thermal conditions as typed.
 
 use radiosity_scene::{
-    Condition,
+    BackCondition, Condition, Thermal,
     error::Located,
     thermal::{check_emissivity, check_temperature},
+    tree::Node,
 };
-use serde_json::json;
+use serde_json::{Value, json};
 
 use crate::{
-    fields::{checked, real},
+    fields::{checked, real, text},
     keys::{GivenFields, ValueKind, keys},
     kinds::TRUTH,
+    terms,
 };
 
 /// The emissivity of a material.
@@ -29,6 +31,8 @@ keys! {
             ValueKind::number(real, || json!({ "minimum": -1e30, "maximum": 1e30 })),
             "Heat that it is given and sends out as radiation, W/m²";
         adiabatic: Option<bool> = TRUTH, "It sends out as much as it receives";
+        back: Option<BackCondition> = ValueKind::new(back, back_schema),
+            "Heat of the back of a surface of one side: \"adiabatic\", \"front\", or its temperature, K";
     }
 }
 
@@ -38,10 +42,31 @@ fn check(own: &ConditionFile, fields: &GivenFields<'_>) -> Result<(), Located> {
     fields.at_most_one(&[&["temperature", "heat_flux"], adiabatic].concat())
 }
 
+/// Words for the heat of a back.
+const BACKS: [(&str, BackCondition); 2] =
+    [("adiabatic", BackCondition::Adiabatic), ("front", BackCondition::Front)];
+
+/// One of these words, or a temperature.
+fn back(node: &Node) -> Result<BackCondition, Located> {
+    let word = text(node).ok().map(|typed| typed.value);
+    match BACKS.iter().find(|(known, _)| word.as_deref() == Some(known)) {
+        Some((_, condition)) => Ok(*condition),
+        None => Ok(BackCondition::Temperature(checked(node, check_temperature)?)),
+    }
+}
+
+fn back_schema() -> Value {
+    let words = json!({ "enum": BACKS.map(|(word, _)| word) });
+    let kelvin = terms::ranged(json!({ "minimum": 0, "maximum": 1e6 }), "Kelvin");
+    json!({ "anyOf": [words, kelvin["anyOf"][0], kelvin["anyOf"][1]] })
+}
+
 impl ConditionFile {
-    pub(crate) fn condition(&self) -> Option<Condition> {
+    /// What is known of the heat of a surface, or of a material of this emissivity.
+    pub(crate) fn thermal(&self, emissivity: Option<f64>) -> Thermal {
         let adiabatic = self.adiabatic.filter(|is| *is).map(|_| 0.0);
         let flux = self.heat_flux.or(adiabatic).map(Condition::HeatFlux);
-        self.temperature.map(Condition::Temperature).or(flux)
+        let condition = self.temperature.map(Condition::Temperature).or(flux);
+        Thermal { emissivity, condition, back: self.back }
     }
 }

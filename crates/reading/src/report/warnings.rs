@@ -8,7 +8,7 @@ use radiosity_solve::solution::Band;
 use radiosity_solve::solved::Solved;
 use radiosity_solve::studies::adaptation::{Achieved, EndReason};
 use radiosity_solve::{LightMethod, Options, Outcome};
-use radiosity_visibility::inspection::Inspection;
+use radiosity_visibility::inspection::{BEFORE_OPENINGS, Inspection, before_openings};
 use radiosity_work::digits::significant;
 use radiosity_work::wording::{Wording, option, set, words};
 
@@ -31,6 +31,7 @@ pub(super) fn warnings(solved: &Solved) -> Vec<Warning> {
         .chain(adapted)
         .chain(transfers)
         .chain(power(solved))
+        .chain(before_openings(scene).into_iter().map(of_inspection))
         .chain(geometry(scene, outcome))
         .chain(unused_masks(scene, options))
         .collect()
@@ -61,10 +62,15 @@ fn geometry(scene: &Scene, outcome: &Outcome) -> Vec<Warning> {
     if !is_odd || scene.surfaces.len() > FEW {
         return Vec::new();
     }
-    let found = Inspection::of(scene).warnings.into_iter().filter(|found| !found.is_of_something_missing());
-    found
-        .map(|found| Warning { surface: found.surface, ..Warning::general(found.code, found.message) })
-        .collect()
+    let is_told = |code: &str| code == BEFORE_OPENINGS;
+    let found = Inspection::of(scene).warnings.into_iter();
+    let new = found.filter(|found| !found.is_of_something_missing() && !is_told(found.code));
+    new.map(of_inspection).collect()
+}
+
+/// What an inspection found.
+fn of_inspection(found: radiosity_visibility::inspection::Warning) -> Warning {
+    Warning { surface: found.surface, ..Warning::general(found.code, found.message) }
 }
 
 /// A warning where power appears, or is lost though no element sends light past all others by more than their

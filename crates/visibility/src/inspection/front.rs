@@ -31,6 +31,8 @@ pub(super) fn turned(sheets: &Sheets, groups: &[Group]) -> Vec<Warning> {
 
 /// Solids whose fronts face in, and rooms whose fronts face out.
 pub(super) fn inside_out(sheets: &Sheets, shells: &[Shell], camera: Option<&Camera>) -> Vec<Warning> {
+    // Both sides of a two-sided surface are fronts.
+    let has_one_side = |shell: &&Shell| shell.sheets.iter().any(|k| !sheets.list[*k].two_sided);
     let warning = |shell: &Shell| {
         let first = &sheets.list[shell.sheets[0]].name;
         let stands_alone = shell.sheets.len() == sheets.list.len();
@@ -57,14 +59,15 @@ pub(super) fn inside_out(sheets: &Sheets, shells: &[Shell], camera: Option<&Came
             _ => None,
         }
     };
-    shells.par_iter().filter_map(warning).collect()
+    shells.par_iter().filter(has_one_side).filter_map(warning).collect()
 }
 
-/// Whether the camera or another sheet is inside a shell.
+/// Whether the camera or the whole of another sheet is inside a shell: what touches it or passes through it is not.
 fn holds_something(sheets: &Sheets, shell: &Shell, camera: Option<&Camera>) -> bool {
     let enclosure = Enclosure::new(sheets, shell);
     let is_inside = |k: usize| {
-        shell.sheets.binary_search(&k).is_err() && enclosure.contains(sheets.list[k].samples()[0].point)
+        let mut samples = sheets.list[k].samples().into_iter();
+        shell.sheets.binary_search(&k).is_err() && samples.all(|sample| enclosure.contains(sample.point))
     };
     camera.is_some_and(|camera| enclosure.contains(camera.eye))
         || sheets.around(&enclosure.bounds).any(is_inside)
@@ -102,7 +105,9 @@ pub(super) fn blind(sheets: &Sheets, lying: &HashSet<&str>) -> Vec<Warning> {
     }
     let blind: Vec<usize> = (0..sheets.list.len()).into_par_iter().filter(|own| is_blind(*own)).collect();
     let message = "faces no other front, it neither lights nor is lit: flip = true turns it over";
-    let names = blind.into_iter().map(|own| &sheets.list[own].name);
+    // What has a temperature or a flux of heat faces space.
+    let faces_space = |own: &usize| sheets.list[*own].has_heat;
+    let names = blind.into_iter().filter(|own| !faces_space(own)).map(|own| &sheets.list[own].name);
     names
         .filter(|name| !lying.contains(name.as_str()))
         .map(|name| Warning::about("front-blind", name, message.to_owned()))

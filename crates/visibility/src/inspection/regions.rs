@@ -2,7 +2,8 @@
 //!
 //! A shell has a side within and a side without. Two sides bound one region where the same shells lie around
 //! both: around the side within a shell lie those around the shell, and itself. A region is closed if some
-//! shell lies around it and all its sides are fronts: what leaves a front in it reaches fronts, all of it.
+//! shell lies around it and all its sides are fronts: what leaves a front in it reaches fronts, all of it. Both sides
+//! of a sheet that closes nothing bound the region around it.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -12,7 +13,7 @@ use crate::inspection::{
     enclosure::Enclosure,
     sheet::{Sheets, backs},
     sheet_border, shell,
-    shell::{Fronts, Shell},
+    shell::{Fronts, Group, Shell},
 };
 
 /// The regions that the surfaces of a scene bound with their fronts.
@@ -38,13 +39,20 @@ struct Region {
 }
 
 impl Regions {
-    /// The regions of `scene`; None if some surface is no part of a closed surface whose fronts are all on
-    /// one side. A surface of two sides has to be closed in itself.
+    /// The regions of `scene`; None if some surface is neither a part of a closed surface whose fronts are all on one
+    /// side, nor of an open sheet of two sides that touches no other. In a closed surface a surface of two sides has
+    /// to be closed in itself.
     pub fn of(scene: &Scene) -> Option<Self> {
         let sheets = Sheets::of(scene);
         let groups = shell::groups(&sheets, &sheet_border::borders(&sheets));
-        let shells: Vec<Shell> =
-            groups.iter().map(|group| shell::shell(&sheets, group)).collect::<Option<_>>()?;
+        let (mut shells, mut open): (Vec<Shell>, Vec<&Group>) = (Vec::new(), Vec::new());
+        for group in &groups {
+            match shell::shell(&sheets, group) {
+                Some(shell) => shells.push(shell),
+                None if group.sheets.iter().all(|sheet| sheets.list[*sheet].two_sided) => open.push(group),
+                None => return None,
+            }
+        }
         let is_mixed = |shell: &Shell| {
             let has_two_sided = shell.sheets.iter().any(|sheet| sheets.list[*sheet].two_sided);
             shell.fronts == Fronts::Mixed || (has_two_sided && shell.sheets.len() > 1)
@@ -55,7 +63,24 @@ impl Regions {
         let backs = backs(&scene.surfaces);
         let mut found: BTreeMap<BTreeSet<usize>, Region> = BTreeMap::new();
         let mut of = vec![0; scene.surfaces.len()];
-        for (own, around) in around(&sheets, &shells).into_iter().enumerate() {
+        let enclosures: Vec<Enclosure<'_>> =
+            shells.iter().map(|shell| Enclosure::new(&sheets, shell)).collect();
+        let around = |sheet: usize, own: Option<usize>| -> BTreeSet<usize> {
+            let point = sheets.list[sheet].samples()[0].point;
+            let others = enclosures.iter().enumerate().filter(|(other, _)| Some(*other) != own);
+            others.filter(|(_, enclosure)| enclosure.contains(point)).map(|(other, _)| other).collect()
+        };
+        for group in open {
+            let index = found.len();
+            let region =
+                found.entry(around(group.sheets[0], None)).or_insert(Region { index, has_backs: false });
+            for front in group.sheets.iter().map(|sheet| sheets.list[*sheet].surface) {
+                of[front] = region.index;
+                of[backs[&front]] = region.index;
+            }
+        }
+        for own in 0..shells.len() {
+            let around = around(shells[own].sheets[0], Some(own));
             let front = if shells[own].fronts == Fronts::Inside { Side::Within } else { Side::Without };
             for side in [Side::Within, Side::Without] {
                 let mut key = around.clone();
@@ -89,17 +114,6 @@ impl Regions {
     }
 }
 
-/// For each shell those that lie around it.
-fn around(sheets: &Sheets, shells: &[Shell]) -> Vec<BTreeSet<usize>> {
-    let enclosures: Vec<Enclosure<'_>> = shells.iter().map(|shell| Enclosure::new(sheets, shell)).collect();
-    let of = |own: usize| {
-        let point = sheets.list[shells[own].sheets[0]].samples()[0].point;
-        let others = enclosures.iter().enumerate().filter(|(other, _)| *other != own);
-        others.filter(|(_, enclosure)| enclosure.contains(point)).map(|(other, _)| other).collect()
-    };
-    (0..shells.len()).map(of).collect()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -117,6 +131,7 @@ mod tests {
         format!("sphere = {{ center = {center:?}, radius = {radius} }}\n")
     }
 
+    const DISK: &str = "disk = { center = [2, 2, 2], normal = [0, 0, 1], radius = 1 }";
     const ROOM: &str = "box = { origin = [0, 0, 0], size = [4, 4, 4], inward = true }";
 
     #[test]
@@ -159,6 +174,16 @@ mod tests {
     fn open_boxes_and_lone_plates_have_no_regions() {
         let open = "box = { origin = [0, 0, 0], size = [4, 4, 4], inward = true, open = [\"top\"] }";
         assert!(regions(&[open]).is_none());
-        assert!(regions(&[ROOM, "disk = { center = [2, 2, 2], normal = [0, 0, 1], radius = 1 }"]).is_none());
+        assert!(regions(&[ROOM, DISK]).is_none());
+    }
+
+    #[test]
+    fn both_sides_of_an_open_sheet_are_in_the_region_around_it() {
+        let sheet = format!("two_sided = true\n{DISK}");
+        let found = regions(&[ROOM, &sheet]).expect("all is closed but the sheet");
+        assert!((0..8).all(|surface| found.is_closed(surface) && found.are_together([0, surface])));
+        let outside = "two_sided = true\ndisk = { center = [9, 2, 2], normal = [0, 0, 1], radius = 1 }";
+        let found = regions(&[ROOM, outside]).expect("all is closed but the sheet");
+        assert!(found.is_closed(0) && !found.is_closed(6) && !found.is_closed(7));
     }
 }

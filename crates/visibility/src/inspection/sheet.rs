@@ -19,6 +19,8 @@ pub(super) struct Sheet {
     pub shape: Arc<dyn Surface>,
     pub two_sided: bool,
     pub(super) emits: bool,
+    /// Whether its temperature or its flux of heat is known.
+    pub(super) has_heat: bool,
     pub(super) bounds: Aabb,
     pub(super) extent: f64,
 }
@@ -88,6 +90,7 @@ impl Sheet {
             shape,
             two_sided: back.is_some(),
             emits,
+            has_heat: surface.thermal.condition.is_some(),
             bounds,
             extent: bounds.diagonal(),
         }
