@@ -8,9 +8,9 @@
 //! ```
 //!
 //! The backs of surfaces of one side are sides with conditions of their own
-//! ([`BackCondition`](radiosity_scene::BackCondition)). What leaves the scene is lost to 0 K. Beside them the same walks
-//! carry light by which all of known temperature and the surroundings have the level 1, so that
-//! its irradiance U has the mean 1. With a level L₀ chosen beforehand
+//! ([`BackCondition`](radiosity_scene::BackCondition)). What leaves the scene is lost to 0 K. Beside them the same
+//! walks carry light by which all of known temperature and the surroundings have the level 1, so that its irradiance U
+//! has the mean 1. With a level L₀ chosen beforehand
 //!
 //! ```text
 //! H̄ = L₀ + ⟨ H − L₀ U ⟩
@@ -82,9 +82,7 @@ impl HeatReferee {
     /// whose heat can end nowhere.
     pub fn of(scene: &Scene) -> Result<Self, HeatFault> {
         let given = scene.surfaces.len();
-        let one_sided =
-            (0..scene.surfaces.len()).filter(|own| scene.surfaces[*own].back_condition().is_some());
-        let scene = &scene.with_backs(&one_sided.collect::<Vec<_>>());
+        let scene = &scene.with_backs(&scene.one_sided());
         let mut roles = Roles::of(scene)?;
         let rays = Rays::of(scene);
         let mean_level = mean_level(&rays, &roles);

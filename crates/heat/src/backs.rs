@@ -32,29 +32,27 @@ const TOUCHES: f64 = 1e-6;
 
 /// The scene with the backs that have a temperature or are reached by heat, behind all its surfaces.
 pub(super) fn with_backs(scene: &Scene) -> Scene {
-    let conditions = scene.surfaces.iter().map(|surface| surface.back_condition());
-    let is_reached = reached(scene);
-    let is_wanted = |(condition, is_reached): (Option<BackCondition>, bool)| match condition {
-        None => false,
-        Some(BackCondition::Adiabatic) => is_reached,
-        Some(BackCondition::Front | BackCondition::Temperature(_)) => true,
+    let one_sided = scene.one_sided();
+    let is_reached = reached(scene, &one_sided);
+    let is_wanted = |surface: &usize| match scene.surfaces[*surface].back_condition() {
+        BackCondition::Adiabatic => is_reached[*surface],
+        BackCondition::Front | BackCondition::Temperature(_) => true,
     };
-    let wanted = conditions.zip(is_reached).map(is_wanted).enumerate();
-    scene.with_backs(&wanted.filter_map(|(surface, is)| is.then_some(surface)).collect::<Vec<_>>())
+    scene.with_backs(&one_sided.into_iter().filter(is_wanted).collect::<Vec<_>>())
 }
 
 /// A side that sends and receives heat.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Side {
-    /// That of any surface.
+    /// The front of any surface.
     Front,
-    /// That of this surface, which is of one side.
+    /// The back of this surface, which is of one side.
     Back(usize),
 }
 
-/// Whether heat reaches the back of each surface, from fronts or from backs that it reaches.
-fn reached(scene: &Scene) -> Vec<bool> {
-    let joined = Sight::of(scene).joined();
+/// Whether heat reaches the back of each surface of one side, from fronts or from backs that it reaches.
+fn reached(scene: &Scene, one_sided: &[usize]) -> Vec<bool> {
+    let joined = Sight::of(scene, one_sided).joined();
     let mut is_reached = vec![false; scene.surfaces.len()];
     loop {
         let mut is_done = true;
@@ -87,12 +85,14 @@ struct Sight {
 }
 
 impl Sight {
-    fn of(scene: &Scene) -> Self {
+    fn of(scene: &Scene, one_sided: &[usize]) -> Self {
         let shapes: Vec<Arc<dyn Surface>> =
             scene.surfaces.iter().map(|surface| Arc::clone(&surface.shape)).collect();
         let sides = 2 * shapes.len().max(1) as u64;
+        let mut has_back = vec![false; shapes.len()];
+        one_sided.iter().for_each(|surface| has_back[*surface] = true);
         Self {
-            has_back: scene.surfaces.iter().map(|surface| surface.back_condition().is_some()).collect(),
+            has_back,
             tree: RayTree::new(shapes.clone()),
             rays: (ALL_RAYS / sides).clamp(LEAST_RAYS, RAYS),
             shapes,

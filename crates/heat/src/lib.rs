@@ -20,11 +20,10 @@
 //! What leaves the scene goes to surroundings at 0 K. Conduction, convection and heat that is stored have no
 //! part in it; where they are known, they are a `heat_flux`.
 //!
-//! In order: [`HeatError`], `black_body`, `backs` (which of them heat reaches), `roles` (what is known of each surface), `coats` (scenes with the
-//! coatings of heat), `closure` (rows that sum to 1), `levels`, `figures` (of each surface), `field` (σ T⁴
-//! over surfaces), `shields`, `conductances`, `cut` (elements that tell the
-//! error), `forecast`, [`Heat`], the balance, [`judging`], what a referee says of it, and `checking`, its errors
-//! made true by that.
+//! In order: [`HeatError`], `black_body`, `backs` (which of them heat reaches), `roles` (what is known of each
+//! surface), `coats` (scenes with the coatings of heat), `closure` (rows that sum to 1), `levels`, `figures` (of each
+//! surface), `field` (σ T⁴ over surfaces), `shields`, `conductances`, `cut` (elements that tell the error), `forecast`,
+//! [`Heat`], the balance, [`judging`], what a referee says of it, and `checking`, its errors made true by that.
 //!
 //! Imports `core`, `geom`, `solvers`, `work`, `scene`, `audit`, `visibility`, `elements`, `kernel` and `solve`.
 
@@ -45,7 +44,7 @@ pub mod judging;
 mod checking;
 
 use radiosity_audit::Checked;
-use radiosity_scene::{BackCondition, Scene, SceneSurface};
+use radiosity_scene::{Scene, SceneSurface};
 use radiosity_solve::solution::Solution;
 use radiosity_solve::{Direct, Model, Options, Outcome, Transport};
 use radiosity_work::{Progress, Stage, Work};
@@ -202,13 +201,12 @@ impl Heat {
         self.lost.abs() <= rounding + self.surfaces.iter().map(|own| own.flow_error).sum::<f64>()
     }
 
-    /// Names of the surfaces of `scene`, of which this is the balance, whose backs heat reaches and are adiabatic because
-    /// nothing else was said.
+    /// Names of the surfaces of `scene`, of which this is the balance, whose backs heat reaches and are adiabatic
+    /// because nothing else was said.
     pub fn usual_backs<'a>(&self, scene: &'a Scene) -> Vec<&'a str> {
         let has_back = self.other_sides.iter().zip(&scene.surfaces);
-        let is_usual = |surface: &SceneSurface| {
-            surface.back_condition() == Some(BackCondition::Adiabatic) && surface.thermal.back.is_none()
-        };
+        let is_usual =
+            |surface: &SceneSurface| surface.other_side.is_none() && surface.thermal.back.is_none();
         let usual = has_back.filter(|(back, surface)| back.is_some() && is_usual(surface));
         usual.map(|(_, surface)| surface.name.as_str()).collect()
     }

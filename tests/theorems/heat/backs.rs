@@ -6,7 +6,7 @@ use radiosity::heat::{Heat, HeatOptions};
 use radiosity_test_support::compare::assert_close;
 use radiosity_test_support::scenes::typed;
 
-use super::shared::{level, lumped, lumped_and_curved, of};
+use super::shared::{level, lumped_and_curved, of};
 
 /// A plate of 2 m² and emissivity 0.8 at 900 K in a black room at 300 K, with these keys.
 fn plate_in_a_room(keys: &str) -> String {
@@ -34,7 +34,7 @@ fn of_room(heat: &Heat) -> f64 {
 
 #[test]
 fn an_adiabatic_back_keeps_the_heat_in_the_room() {
-    let heat = lumped(&plate_in_a_room(""));
+    let heat = lumped_and_curved(&plate_in_a_room(""));
     let flow = 2.0 * 0.8 * (level(900.0) - level(300.0));
     assert_close(of(&heat, "plate").flow, flow, 1e-9);
     assert_close(of_room(&heat), -flow, 1e-9);
@@ -47,7 +47,7 @@ fn an_adiabatic_back_keeps_the_heat_in_the_room() {
 #[test]
 fn a_back_may_have_the_temperature_of_its_front_or_its_own() {
     for (keys, kelvin) in [("back = \"front\"", 900.0), ("back = 600", 600.0)] {
-        let heat = lumped(&plate_in_a_room(keys));
+        let heat = lumped_and_curved(&plate_in_a_room(keys));
         let [front, back] = [900.0, kelvin].map(|own| 2.0 * 0.8 * (level(own) - level(300.0)));
         assert_close(of(&heat, "plate").flow, front, 1e-9);
         assert_close(of(&heat, "plate:back").flow, back, 1e-9);
@@ -59,11 +59,11 @@ fn a_back_may_have_the_temperature_of_its_front_or_its_own() {
 fn a_sheet_of_known_flux_has_one_temperature_where_its_back_is_as_its_front() {
     let [sheet, two_sided] = ["back = \"front\"", "two_sided = true"].map(|keys| {
         let text = plate_in_a_room(&format!("heat_flux = 4000\n{keys}"));
-        of(&lumped(&text), "plate").temperature
+        of(&lumped_and_curved(&text), "plate").temperature
     });
     assert_close(sheet, two_sided, 1e-12);
     // All of it leaves by the front of an insulated one.
-    let heat = lumped(&plate_in_a_room("heat_flux = 4000"));
+    let heat = lumped_and_curved(&plate_in_a_room("heat_flux = 4000"));
     assert_close(level(of(&heat, "plate").temperature), level(300.0) + 4000.0 / 0.8, 1e-9);
 }
 
@@ -106,7 +106,7 @@ fn backs_that_no_heat_reaches_are_left_out() {
     material = "wall"
     box = { origin = [0, 0, 0], size = [4, 3, 3], inward = true }
 "#;
-    let heat = lumped(body);
+    let heat = lumped_and_curved(body);
     assert!(heat.surfaces.iter().all(|own| !own.name.ends_with(":back")));
 }
 

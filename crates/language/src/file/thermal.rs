@@ -62,7 +62,7 @@ fn back_schema() -> Value {
 }
 
 impl ConditionFile {
-    /// What is known of the heat of a surface, or of a material of this emissivity.
+    /// The heat of a surface, as far as it is known, or of a material of this emissivity.
     pub(crate) fn thermal(&self, emissivity: Option<f64>) -> Thermal {
         let adiabatic = self.adiabatic.filter(|is| *is).map(|_| 0.0);
         let flux = self.heat_flux.or(adiabatic).map(Condition::HeatFlux);

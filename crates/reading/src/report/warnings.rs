@@ -68,7 +68,7 @@ fn geometry(scene: &Scene, outcome: &Outcome) -> Vec<Warning> {
     new.map(of_inspection).collect()
 }
 
-/// What an inspection found.
+/// A finding of an inspection as a warning of a run.
 fn of_inspection(found: radiosity_visibility::inspection::Warning) -> Warning {
     Warning { surface: found.surface, ..Warning::general(found.code, found.message) }
 }
