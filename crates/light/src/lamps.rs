@@ -89,17 +89,26 @@ impl Lamps {
 
     /// The shares of all emitters in the rays from a point.
     pub fn seen_from(&self, receiver: &ReceiverPoint) -> Shares<'_> {
-        self.seen_where(receiver, |_, _| true)
+        self.shares(|lamp| lamp.bound(receiver))
+    }
+
+    /// The shares of emitters in the rays from a point, of those whose elements, by their indices, `are_wanted`.
+    pub fn seen_among(&self, receiver: &ReceiverPoint, are_wanted: impl Fn(usize) -> bool) -> Shares<'_> {
+        self.shares(|lamp| if are_wanted(lamp.element) { lamp.bound(receiver) } else { 0.0 })
     }
 
     /// The shares of emitters in the rays from a point, of those whose brightness and form factor, if nothing hides
     /// them, `are_wanted`.
     pub fn seen_where(&self, receiver: &ReceiverPoint, are_wanted: impl Fn(f64, f64) -> bool) -> Shares<'_> {
-        let share = |lamp: &Lamp| {
+        self.shares(|lamp| {
             let bound = lamp.bound(receiver);
             if are_wanted(lamp.brightness, bound / lamp.brightness) { bound } else { 0.0 }
-        };
-        let mut shares: Vec<f64> = self.list.iter().map(share).collect();
+        })
+    }
+
+    /// The emitters with what each has a share in proportion to.
+    fn shares(&self, of: impl Fn(&Lamp) -> f64) -> Shares<'_> {
+        let mut shares: Vec<f64> = self.list.iter().map(of).collect();
         let all: f64 = shares.iter().sum();
         if all > 0.0 {
             shares.iter_mut().for_each(|share| *share /= all);

@@ -60,11 +60,7 @@ impl ReceiverPoint {
 
     /// Irradiance from the part of a planar convex polygon of exitance 1 outside the shadow volumes
     /// `volumes`.
-    pub(crate) fn factor<'a>(
-        &self,
-        polygon: &[DVec3],
-        volumes: impl Iterator<Item = &'a ShadowVolume>,
-    ) -> f64 {
+    pub fn factor<'a>(&self, polygon: &[DVec3], volumes: impl Iterator<Item = &'a ShadowVolume>) -> f64 {
         match self.ground {
             None => visible_irradiance(self.position, self.normal, polygon, volumes),
             Some(ground) => {

@@ -88,9 +88,10 @@ pub fn grid(reader: &Reader, cells: [usize; 2], rates: Rates, work: &Work<'_>) -
         (0..surfaces).map(|surface| outline(reader.solution().elements().shape(surface))).collect();
     let rects: Vec<Rect> = cells_of(cells).collect();
     let (total, done) = (surfaces * rects.len(), AtomicUsize::new(0));
+    let by = CellReader { reader, rates, count: total };
     let all = work.ranks.map_even(PartName::Cells, total, AT_ONCE, |place| {
         let (surface, k) = (place / rects.len(), place % rects.len());
-        let integrals = Integrals::over(reader, surface, &rects[k], rates);
+        let integrals = Integrals::over(&by, surface, &rects[k]);
         work.report_done(Stage::Cells, done.fetch_add(1, Ordering::Relaxed) + 1, total);
         let shape = reader.solution().elements().shape(surface);
         let area = outlines[surface]
@@ -100,6 +101,15 @@ pub fn grid(reader: &Reader, cells: [usize; 2], rates: Rates, work: &Work<'_>) -
         integrals.cell(surface, [k / cells[1], k % cells[1]], shape.jet(u, v).position, area)
     });
     all.into_iter().filter(|cell| cell.area > 0.0).collect()
+}
+
+/// The reader of cells.
+#[derive(Clone, Copy)]
+struct CellReader<'a> {
+    reader: &'a Reader<'a>,
+    rates: Rates,
+    /// Cells that are read.
+    count: usize,
 }
 
 /// Convex pieces of the outer outline of a planar surface; None for curved ones.
@@ -151,7 +161,8 @@ impl Deviations {
 }
 
 impl Integrals {
-    fn over(reader: &Reader, surface: usize, rect: &Rect, rates: Rates) -> Self {
+    fn over(by: &CellReader, surface: usize, rect: &Rect) -> Self {
+        let reader = by.reader;
         let bands = reader.solution().bands();
         let mut sums = Self {
             irradiance: vec![0.0; bands.len()],
@@ -165,28 +176,28 @@ impl Integrals {
         let mut behind = BTreeSet::new();
         for element in elements.of_surface(surface) {
             for patch in elements.patches_over(element, rect) {
-                sums.add(reader, element, &patch, rect, rates);
+                sums.add(by, element, &patch, rect);
             }
             behind.extend(bands.iter().flat_map(|band| band.coating.all_behind(element)));
         }
         for element in behind {
             for patch in elements.patches_over(element, rect) {
-                sums.add_transmitted(reader, element, &patch, rates);
+                sums.add_transmitted(by, element, &patch);
             }
         }
         sums
     }
 
     /// Adds the light on a patch of an element.
-    fn add(&mut self, reader: &Reader, element: usize, patch: &Patch, rect: &Rect, rates: Rates) {
+    fn add(&mut self, by: &CellReader, element: usize, patch: &Patch, rect: &Rect) {
         let area = area(patch);
-        let ReadIrradiance { irradiance, deviation } = over_patch(reader, element, patch, rates);
+        let ReadIrradiance { irradiance, deviation } = over_patch(by, element, patch);
         let irradiance: Vec<f64> = irradiance.into_iter().map(|mean| mean * area).collect();
         self.covered += area;
         if let Some(deviation) = deviation {
             self.deviations.add(deviation, irradiance.iter().sum(), area);
         }
-        for (index, band) in reader.solution().bands().iter().enumerate() {
+        for (index, band) in by.reader.solution().bands().iter().enumerate() {
             let Means { exitance, reflectance } = band.coating.means_over(element, patch, rect);
             let kept = 1.0 - reflectance - band.coating.transmittance(element);
             self.irradiance[index] += irradiance[index];
@@ -196,10 +207,10 @@ impl Integrals {
     }
 
     /// Adds the light that comes through from a patch of an element of the other side.
-    fn add_transmitted(&mut self, reader: &Reader, element: usize, patch: &Patch, rates: Rates) {
+    fn add_transmitted(&mut self, by: &CellReader, element: usize, patch: &Patch) {
         let area = area(patch);
-        let arriving = over_patch(reader, element, patch, rates).irradiance;
-        for (index, band) in reader.solution().bands().iter().enumerate() {
+        let arriving = over_patch(by, element, patch).irradiance;
+        for (index, band) in by.reader.solution().bands().iter().enumerate() {
             self.radiosity[index] += band.coating.transmittance(element) * area * arriving[index];
         }
     }
@@ -223,7 +234,8 @@ impl Integrals {
 const AREA_POINTS: usize = 16;
 
 /// Mean of E per band over a patch of an element.
-fn over_patch(reader: &Reader, element: usize, patch: &Patch, rates: Rates) -> ReadIrradiance {
+fn over_patch(by: &CellReader, element: usize, patch: &Patch) -> ReadIrradiance {
+    let CellReader { reader, rates, count } = *by;
     let owner = &reader.solution().elements().list()[element];
     let degree = owner.basis.total_degree();
     let exact = if patch.is_flat() { degree / 2 + 2 } else { degree + 4 };
@@ -248,7 +260,7 @@ fn over_patch(reader: &Reader, element: usize, patch: &Patch, rates: Rates) -> R
         RecomputedLight::Gathered(light) => {
             let origin = Receiver::over(owner.surface, patch);
             match light.by() {
-                GatheredBy::Rays(gather) => gather.read(&origin),
+                GatheredBy::Rays(gather) => gather.read_one_of(&origin, count),
                 GatheredBy::Cells(gather) => {
                     let lit = lit(gather.direct(), owner.surface, patch, horizon, rates.direct);
                     let gathered =

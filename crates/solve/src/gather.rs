@@ -23,6 +23,8 @@ mod sent_rays;
 pub(crate) mod direct_by_rays;
 mod trusted_light;
 mod bends;
+mod lit_cells;
+mod flat_lamps;
 mod glow;
 mod walked_light;
 mod met_light;

@@ -4,11 +4,15 @@
 use std::f64::consts::FRAC_1_SQRT_2;
 
 use radiosity::audit::{Effort, Estimate, Referee, Spot};
-use radiosity::geom::DVec3;
 use radiosity::geom::shapes::Parallelogram;
+use radiosity::geom::{DVec3, Encounter};
 use radiosity::light::receiver_point::ReceiverPoint;
-use radiosity::reading::grid::{Rates, grid};
+use radiosity::reading::grid::{Cell, Rates, grid};
+use radiosity::reading::pictures::pinhole::Pinhole;
+use radiosity::reading::pictures::render::render;
+use radiosity::reading::quantity::Quantity;
 use radiosity::reading::reader::{ReadMode, Reader};
+use radiosity::scene::Camera;
 use radiosity::solve::gather::Gather;
 use radiosity::solve::gather::gather_method::GatherMethod;
 use radiosity::solve::gather::ray_gather::{Beyond, RayGather};
@@ -170,6 +174,161 @@ fn rays_from_all_of_a_cell_give_its_mean() {
     let largest = off.iter().fold(0.0, |most: f64, off| most.max(off.abs()));
     // 8 × 8 points leave as much where a shadow's edge crosses a cell.
     assert!(rms < 1.5e-2 && largest < 0.08, "{rms} and {largest}");
+}
+
+/// Exitance of the lamp of [`screened_lamp`], and its height over the floor.
+const EXITANCE: f64 = 3.0;
+const HEIGHT: f64 = 2.0;
+
+/// A square lamp of the side .4 over a black floor, and half-way between both a screen that ends at x = `edge`.
+fn screened_lamp(edge: f64) -> Scene {
+    let mut builder = SceneBuilder::new("screen", ["grey"]);
+    let glow = builder.material("glow", material(0.0, EXITANCE));
+    let black = builder.material("black", material(0.0, 0.0));
+    let square = |corner: DVec3, along: DVec3, across: DVec3| {
+        Parallelogram::new(corner, along, across).expect("a parallelogram")
+    };
+    builder.surface("floor", square(DVec3::new(-0.5, -0.5, 0.0), DVec3::X, DVec3::Y), &black);
+    builder.surface("lamp", square(DVec3::new(-0.2, -0.2, HEIGHT), 0.4 * DVec3::Y, 0.4 * DVec3::X), &glow);
+    let corner = DVec3::new(edge - 6.0, -3.0, 0.5 * HEIGHT);
+    builder.surface("screen", square(corner, 6.0 * DVec3::X, 6.0 * DVec3::Y), &black);
+    builder.build().expect("a scene")
+}
+
+/// The mean irradiance of that floor, by midpoints of cells on both: a line from x to y crosses the plane of the screen
+/// half-way.
+fn of_screened_lamp(edge: f64) -> f64 {
+    const N: usize = 40;
+    let place = |k: usize| (k as f64 + 0.5) / N as f64 - 0.5;
+    let mut sum = 0.0;
+    for (a, b) in (0..N).flat_map(|a| (0..N).map(move |b| (place(a), 0.4 * place(b)))) {
+        if 0.5 * (a + b) < edge {
+            continue;
+        }
+        for (c, d) in (0..N).flat_map(|c| (0..N).map(move |d| (place(c), 0.4 * place(d)))) {
+            let square = (a - b).powi(2) + (c - d).powi(2) + HEIGHT * HEIGHT;
+            sum += (HEIGHT / square).powi(2);
+        }
+    }
+    EXITANCE * 0.16 * sum / (std::f64::consts::PI * (N as f64).powi(4))
+}
+
+/// Light of a far lamp over a patch: exact where nothing or all of it is hidden, and else as well known as is told.
+#[test]
+fn a_far_lamp_behind_a_screen_lights_a_cell_as_is_told() {
+    for (edge, eps) in [(-3.0, 2e-2), (3.0, 2e-2), (-0.1, 1e-2), (0.0, 5e-3), (0.12, 5e-3)] {
+        let scene = screened_lamp(edge);
+        let (outcome, visibility) = solved(&scene);
+        let reader = Reader::by(GatherMethod::Rays, &outcome.solution, &visibility, ReadMode::Gather, eps);
+        let cells = grid(&reader, [1, 1], Rates::default(), &Work::alone());
+        let floor = scene.surface_named("floor").expect("it is there");
+        let cell = cells.iter().find(|cell| cell.surface == floor).expect("a cell");
+        let (found, exact) = (cell.irradiance[0], of_screened_lamp(edge));
+        let told = cell.deviation.expect("rays know it").absolute;
+        match edge {
+            3.0 => assert_eq!((found, exact), (0.0, 0.0)),
+            // Midpoints err by as much.
+            -3.0 => assert!((found / exact - 1.0).abs() < 2e-4, "{found} {exact}"),
+            _ => {
+                assert!(
+                    (found - exact).abs() < 3.0 * told + 2e-3 * exact,
+                    "{edge}: {found} ± {told}, {exact}"
+                );
+                assert!(told < eps * exact, "{edge}: {found} ± {told}");
+            }
+        }
+    }
+}
+
+/// A room with a table under a lamp: over cells of its floor, in light and in shadow, the grid has the mean of what
+/// probes read there, and of what a picture shows.
+#[test]
+fn cells_have_the_mean_of_probes_and_of_pixels() {
+    const CELLS: usize = 4;
+    const SIDE: usize = 10;
+    let scene = typed(
+        "bands = [\"grey\"]\n[materials.wall]\nreflectance = 0.6\n[materials.wood]\nreflectance = 0.4\n\
+         [materials.lamp]\nreflectance = 0.5\nemission = 1000\n\
+         [[surfaces]]\nname = \"room\"\nmaterial = \"wall\"\nbox = { origin = [0, 0, 0], size = [4, 4, 3] }\nflip = true\n\
+         [[surfaces]]\nname = \"table\"\nmaterial = \"wood\"\nbox = { origin = [0.6, 0.8, 0.7], size = [1.2, 0.8, 0.1] }\n\
+         [[surfaces]]\nname = \"lamp\"\nmaterial = \"lamp\"\n\
+         parallelogram = { origin = [1.4, 1.4, 2.8], edge1 = [0, 0.6, 0], edge2 = [0.6, 0, 0] }\n",
+    );
+    let (outcome, visibility) = solved(&scene);
+    let solution = &outcome.solution;
+    let reader = Reader::by(GatherMethod::Rays, solution, &visibility, ReadMode::Gather, 5e-3);
+    let cells = grid(&reader, [CELLS; 2], Rates::default(), &Work::alone());
+    let camera = Camera {
+        width: 128,
+        height: 128,
+        up: DVec3::Y,
+        fov: 90.0,
+        ..Camera::new(DVec3::new(2.0, 2.0, 2.7), DVec3::new(2.0, 2.0, 0.0)).about(scene.middle)
+    };
+    let (read, shown) = (ReadMode::Gather, Quantity::Irradiance);
+    let raster = render(solution, &visibility, &camera, 1, read, shown, &Work::alone());
+    let view = Pinhole::new(&camera);
+    let is_floor = |x: DVec3, normal: DVec3| normal == DVec3::Z && (x + scene.middle).z.abs() < 1e-9;
+    let cell_of = |x: DVec3| {
+        let [i, j] = [x.x + scene.middle.x, x.y + scene.middle.y].map(|at| at.floor() as usize);
+        [i, j]
+    };
+    let mut pixels = vec![(0.0, 0.0); CELLS * CELLS];
+    for (index, values) in raster.pixels().enumerate() {
+        let ray = view.ray((index % 128) as f64 + 0.5, (index / 128) as f64 + 0.5);
+        let Some(Encounter { surface, hit, front: true }) = visibility.nearest(&ray) else { continue };
+        let jet = solution.elements().shape(surface).jet(hit.u, hit.v);
+        if is_floor(jet.position, jet.normal) {
+            let [i, j] = cell_of(jet.position);
+            // Pixels are spread evenly over what is seen square on.
+            pixels[i * CELLS + j].0 += values[0];
+            pixels[i * CELLS + j].1 += 1.0;
+        }
+    }
+    let mut compared = [0; 2];
+    let floor: Vec<&Cell> = cells
+        .iter()
+        .filter(|cell| {
+            let jet = solution.elements().shape(cell.surface).jet(0.0, 0.0);
+            is_floor(jet.position, jet.normal)
+        })
+        .collect();
+    assert_eq!(floor.len(), CELLS * CELLS);
+    for cell in floor {
+        let [i, j] = cell_of(cell.position);
+        let told = cell.deviation.expect("rays know it").absolute;
+        if (i + j) % 2 == 0 {
+            let corner = DVec3::new(i as f64, j as f64, 0.0) - scene.middle;
+            let place = |k: usize| (k as f64 + 0.5) / SIDE as f64;
+            let places = (0..SIDE * SIDE).map(|k| corner + DVec3::new(place(k / SIDE), place(k % SIDE), 0.0));
+            let probes: f64 = places
+                .map(|at| {
+                    let on = Standpoint::find(solution.elements(), &visibility, at, DVec3::Z);
+                    reader.gathered(&on.receiver_point(DVec3::Z)).expect("it gathers").irradiance[0]
+                })
+                .sum();
+            let probes = probes / (SIDE * SIDE) as f64;
+            // Midpoints miss as much of a shadow's edge.
+            assert!(
+                (cell.irradiance[0] - probes).abs() < 3.0 * told + 5e-3 * probes,
+                "{i} {j}: {} ± {told}, probes {probes}",
+                cell.irradiance[0]
+            );
+            compared[0] += 1;
+        }
+        let (sum, count) = pixels[i * CELLS + j];
+        // Of some cells the table hides a part.
+        if count > 0.95 * 128.0 * 128.0 / (5.4 * 5.4) {
+            let shown = sum / count;
+            assert!(
+                (cell.irradiance[0] - shown).abs() < 3.0 * told + 1e-2 * shown,
+                "{i} {j}: {} ± {told}, pixels {shown}",
+                cell.irradiance[0]
+            );
+            compared[1] += 1;
+        }
+    }
+    assert!(compared[0] == 8 && compared[1] >= 8, "{compared:?}");
 }
 
 #[test]

@@ -20,6 +20,12 @@ pub(super) fn usual_rays(eps: f64) -> f64 {
 pub(super) const FIRST: u64 = 64;
 pub(super) const FIRST_OF_MANY: u64 = 32;
 
+/// As [`FIRST`], of the cells of a grid.
+pub(super) const FIRST_OF_CELLS: u64 = 16;
+
+/// Rays of each sequence to emitters that are far from a patch before the error is first looked at. Chosen.
+pub(super) const FIRST_TO_FAR: u64 = 16;
+
 /// Noise of a walk, over the light that is read, up to which walks reach what is asked for. Measured: up to 2 in
 /// rooms.
 const NOISE: f64 = 8.0;

@@ -21,6 +21,10 @@ use crate::gather::walked_light::Scores;
 /// Brightness of what one ray may have met or missed, over that of the scene on the whole. Chosen.
 const ONE_RAY: f64 = 0.25;
 
+/// Light that rays miss which all see it, or none of them, over all that is seen, times their number: n rays miss a
+/// part f with the probability (1 − f)ⁿ, and f (1 − f)ⁿ ≤ 1/(e n).
+const MISSED: f64 = 0.37;
+
 /// Sums over sequences of rays that are independent of each other.
 pub(super) struct Batches {
     /// Irradiance times the number of rays (W m⁻²), bands fastest.
@@ -32,6 +36,14 @@ pub(super) struct Batches {
     surfaces: u64,
     /// Whether no walk was given up.
     are_whole: bool,
+}
+
+/// Light of a band.
+pub(super) struct BandLight {
+    /// Irradiance (W m⁻²).
+    irradiance: f64,
+    /// Its standard deviation (W m⁻²).
+    pub(super) error: f64,
 }
 
 /// Irradiance per band (W m⁻²) that errors are judged by.
@@ -80,32 +92,80 @@ impl Batches {
         BATCHES as u64 * 2 * self.sent > most || 2 * self.surfaces > MOST_SURFACES || !self.are_whole
     }
 
-    /// The estimate by the sums.
-    pub(super) fn estimate(&self, beside: &Beside) -> Estimate {
-        let bands = self.bands;
-        let (n, rays) = (BATCHES as f64, self.sent as f64);
-        let mut found = Estimate {
-            irradiance: Vec::with_capacity(bands),
+    /// Light whose irradiance the sums are, among surfaces of the mean radiosity `scale` per band (W m⁻²).
+    pub(super) fn light(&self, scale: &[f64]) -> Vec<BandLight> {
+        let rays = self.sent as f64;
+        let of = |(band, scale): (usize, &f64)| {
+            let (irradiance, deviation) = mean(self.each(band).map(|sum| sum / rays));
+            BandLight { irradiance, error: deviation + ONE_RAY * scale / (BATCHES as f64 * rays) }
+        };
+        scale.iter().enumerate().map(of).collect()
+    }
+
+    /// Light of which the sums tell a part, those of the first bands over those of the last, of the `whole` per band
+    /// (W m⁻²).
+    pub(super) fn part_of(&self, whole: &[f64]) -> Vec<BandLight> {
+        let bands = whole.len();
+        let of = |(band, whole): (usize, &f64)| {
+            let part = |[seen, all]: [f64; 2]| if all > 0.0 { seen / all } else { 0.0 };
+            let sums = || self.each(band).zip(self.each(band + bands));
+            let each = sums().map(|(seen, all)| part([seen, all]));
+            let (_, deviation) = mean(each);
+            let pooled = part([sums().map(|own| own.0).sum(), sums().map(|own| own.1).sum()]);
+            let missed = MISSED / (BATCHES as f64 * self.sent as f64);
+            BandLight { irradiance: pooled * whole, error: (deviation + missed) * whole }
+        };
+        whole.iter().enumerate().map(of).collect()
+    }
+
+    /// The sums of the sequences in a band.
+    fn each(&self, band: usize) -> impl Iterator<Item = f64> + Clone {
+        self.sums.iter().skip(band).step_by(self.bands).copied()
+    }
+
+    /// Whether no walk was given up.
+    pub(super) fn are_whole(&self) -> bool {
+        self.are_whole
+    }
+}
+
+/// The mean of what sequences found, and its standard deviation.
+fn mean(each: impl Iterator<Item = f64> + Clone) -> (f64, f64) {
+    let n = BATCHES as f64;
+    let mean = each.clone().sum::<f64>() / n;
+    let squares = each.map(|own| (own - mean).powi(2)).sum::<f64>();
+    (mean, (squares / (n * (n - 1.0))).sqrt())
+}
+
+impl BandLight {
+    /// The light of both, which are found apart.
+    pub(super) fn and(&self, other: &Self) -> Self {
+        Self { irradiance: self.irradiance + other.irradiance, error: self.error.hypot(other.error) }
+    }
+}
+
+impl Estimate {
+    /// The light of all bands; not known at all unless all walks `are_whole`.
+    pub(super) fn of(light: &[BandLight], beside: &Beside, are_whole: bool) -> Self {
+        let bands = light.len() as f64;
+        let mut found = Self {
+            irradiance: Vec::with_capacity(light.len()),
             deviation: Deviation { relative: 0.0, absolute: 0.0, is_dark: false },
             missed: 0.0,
         };
-        for (band, other) in beside.other.iter().enumerate() {
-            let batches = || self.sums.iter().skip(band).step_by(bands).map(|sum| sum / rays);
-            let mean = batches().sum::<f64>() / n;
-            let square = batches().map(|batch| (batch - mean).powi(2)).sum::<f64>();
-            let one = ONE_RAY * beside.scale[band] / (n * rays);
-            let error = (square / (n * (n - 1.0))).sqrt() + one;
+        for (band, (BandLight { irradiance, error }, other)) in light.iter().zip(beside.other).enumerate() {
+            let all = irradiance + other;
             let least = DARK * beside.scale[band];
-            found.deviation.is_dark |= mean + other < least;
-            found.deviation.relative += (error / (mean + other).max(least)).powi(2);
+            found.deviation.is_dark |= all < least;
+            found.deviation.relative += (error / all.max(least)).powi(2);
             found.deviation.absolute += error * error;
-            found.missed += (error / (mean + other).max(beside.dark[band])).powi(2);
-            found.irradiance.push(mean);
+            found.missed += (error / all.max(beside.dark[band])).powi(2);
+            found.irradiance.push(*irradiance);
         }
-        found.deviation.relative = (found.deviation.relative / bands as f64).sqrt();
-        found.deviation.absolute = (found.deviation.absolute / bands as f64).sqrt();
-        found.missed = (found.missed / bands as f64).sqrt();
-        if !self.are_whole {
+        found.deviation.relative = (found.deviation.relative / bands).sqrt();
+        found.deviation.absolute = (found.deviation.absolute / bands).sqrt();
+        found.missed = (found.missed / bands).sqrt();
+        if !are_whole {
             (found.deviation.relative, found.deviation.absolute) = (f64::INFINITY, f64::INFINITY);
         }
         found

@@ -8,6 +8,9 @@
 //! *Trusted*, readings of all light at y that may be far from what polynomials say, y on a large element beside x
 //! or near an emitter, go on from there (`super::trusted_light`), and take polynomials of all light nowhere.
 //!
+//! Over a patch the light of flat emitters that are far is found apart, by rays to these alone (`super::flat_lamps`);
+//! of many patches direct light at y is that of cells (`super::lit_cells`).
+//!
 //! Gathered twice, the irradiance of y is itself estimated so, by one ray of either kind.
 //!
 //! *Walked*, what is reflected at y is added by a walk from there (`super::walked_light`): nothing of the polynomials
@@ -21,9 +24,12 @@ use radiosity_light::receiver_point::ReceiverPoint;
 use radiosity_light::tolerances::DARK;
 use radiosity_visibility::Visibility;
 
+use crate::gather::flat_lamps::FarLamps;
 use crate::gather::met_light::{Ending, Held, MetLight};
-use crate::gather::ray_count::{FIRST, FIRST_OF_MANY, most_rays, most_walks};
-use crate::gather::ray_estimate::{Batches, Beside};
+use crate::gather::ray_count::{
+    FIRST, FIRST_OF_CELLS, FIRST_OF_MANY, FIRST_TO_FAR, most_rays, most_walks, usual_rays,
+};
+use crate::gather::ray_estimate::{BandLight, Batches, Beside, Estimate};
 use crate::gather::read_irradiance::ReadIrradiance;
 use crate::gather::receiver::Receiver;
 use crate::gather::receiver_rays::{Onward, ReceiverRays};
@@ -38,6 +44,16 @@ const FEWEST_WALKS: u64 = 16;
 /// Factor on the standard deviation of so few sequences where it decides that rays are enough: those whose
 /// sequences agree by chance stop first. Measured in a classroom.
 const CAUTION: f64 = 1.25;
+
+/// As [`CAUTION`], of the cells of a grid, of which the error of all counts. Measured in an office of 430 surfaces,
+/// 2 × 2 cells each, beside walks, with [`FIRST_OF_CELLS`]: with 1.25 and 32 its grid erred by .63 % (L2) in 11.2 s,
+/// with these by .76 % in 7.4 s, and 99.5 % of the cells by less than three times what is told.
+const CAUTION_OF_CELLS: f64 = 1.0;
+
+/// Fewest rays that are sent at once for a cell, over those that were sent. Chosen. To points as many again are sent:
+/// where the error is looked at more often, more of those stop whose sequences agree by chance. Measured on sixty
+/// random rooms: the largest error of a room was .88 % with steps of a quarter, and is .78 %.
+const FEW_MORE: f64 = 0.25;
 
 /// Light that the surfaces reflect which rays meet.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -57,7 +73,7 @@ impl Beyond {
     fn onward(self, held: Held) -> Onward {
         match self {
             Self::Polynomials => Onward::Ends(Ending::Polynomials(held)),
-            Self::Trusted => Onward::Walks(WalkEnds::Trusted),
+            Self::Trusted => Onward::Walks(WalkEnds::Trusted { by_cells: held.cells }),
             Self::Gathered => Onward::Ends(Ending::Gathered),
             Self::Walked => Onward::Walks(WalkEnds::Never),
         }
@@ -74,6 +90,18 @@ pub struct RayGather<'a> {
     /// Irradiance per band below which errors are to be small relative to this (W m⁻²).
     dark: Vec<f64>,
     beyond: Beyond,
+}
+
+/// Wishes for a reading.
+struct Wanted<'s> {
+    /// Cosine-distributed rays of each sequence that are sent at first.
+    first: u64,
+    /// Factor on the deviation where it decides that rays are enough.
+    caution: f64,
+    /// Fewest rays that are sent at once later, over those that were sent.
+    least: f64,
+    /// Irradiance per band below which errors are to be small relative to this (W m⁻²).
+    dark: &'s [f64],
 }
 
 /// Numbers of cosine-distributed rays of each sequence.
@@ -124,13 +152,36 @@ impl<'a> RayGather<'a> {
     /// All light of a receiver, by rays alone. It depends on nothing but the receiver.
     pub fn read(&self, origin: &Receiver) -> ReadIrradiance {
         let rays = ReceiverRays::all(&self.light, origin, self.beyond.onward(Held::READ));
-        self.gathered(&rays, FIRST, &vec![0.0; self.dark.len()])
+        self.gathered(&rays, &self.wanted(FIRST), &vec![0.0; self.dark.len()])
+    }
+
+    /// All light of a receiver that is one of so many, by rays alone, accurate relative to the usual irradiance where
+    /// less arrives. It depends on nothing but the receiver and their number.
+    ///
+    /// Polynomials are taken where they are trusted alone: patches in the dark, of which there are many, see mostly
+    /// what is near.
+    pub fn read_one_of(&self, origin: &Receiver, count: usize) -> ReadIrradiance {
+        let are_worth = || self.light.lit_cells.rays(&self.light.rays) < count as f64 * usual_rays(self.eps);
+        let held = if are_worth() { Held::READ.beside_cells() } else { Held::READ };
+        let is_beside = self.beyond == Beyond::Polynomials && !self.light.solution.is_truncated();
+        let beyond = if is_beside { Beyond::Trusted } else { self.beyond };
+        let rays = ReceiverRays::all(&self.light, origin, beyond.onward(held));
+        let larger = |(usual, dark): (&f64, &f64)| dark.max(*usual);
+        let dark: Vec<f64> = self.light.usual.iter().zip(&self.dark).map(larger).collect();
+        let wanted =
+            Wanted { first: FIRST_OF_CELLS, caution: CAUTION_OF_CELLS, least: FEW_MORE, dark: &dark };
+        let mut read = self.gathered(&rays, &wanted, &vec![0.0; dark.len()]);
+        if self.beyond != Beyond::Walked {
+            let is_dim = read.irradiance.iter().zip(&dark).any(|(light, dark)| light < dark);
+            read.deviation.iter_mut().for_each(|deviation| deviation.is_dark |= is_dim);
+        }
+        read
     }
 
     /// The reflected light of a receiver alone, accurate relative to this and the light `other` (W m⁻² per band).
     pub(super) fn reflected_alone(&self, origin: &Receiver, other: &[f64]) -> ReadIrradiance {
         let rays = ReceiverRays::reflected(&self.light, origin, self.beyond.onward(Held::READ));
-        self.gathered(&rays, FIRST, other)
+        self.gathered(&rays, &self.wanted(FIRST), other)
     }
 
     /// The reflected light of a point alone, one of many, in a narrow gap between the surfaces `own`, accurate relative
@@ -143,7 +194,7 @@ impl<'a> RayGather<'a> {
     ) -> ReadIrradiance {
         let origin = Receiver::Point(*receiver);
         let rays = ReceiverRays::reflected(&self.light, &origin, Onward::Walks(WalkEnds::OutOfGap(own)));
-        self.gathered(&rays, FIRST_OF_MANY, other)
+        self.gathered(&rays, &self.wanted(FIRST_OF_MANY), other)
     }
 
     /// The reflected light of a point alone, one of many, accurate relative to this and the light `other` (W m⁻²
@@ -152,7 +203,7 @@ impl<'a> RayGather<'a> {
         let beyond = if self.beyond == Beyond::Trusted { Beyond::Polynomials } else { self.beyond };
         let origin = Receiver::Point(*receiver);
         let rays = ReceiverRays::reflected(&self.light, &origin, beyond.onward(Held::BEHIND_PIXELS));
-        self.gathered(&rays, FIRST_OF_MANY, other)
+        self.gathered(&rays, &self.wanted(FIRST_OF_MANY), other)
     }
 
     /// Numbers of rays, of which `first` are sent before the error is looked at where they do not go on.
@@ -165,22 +216,68 @@ impl<'a> RayGather<'a> {
         }
     }
 
-    /// Light by these rays, of which `first` are sent at first; `other` light (W m⁻² per band) arrives too.
-    fn gathered(&self, rays: &ReceiverRays, first: u64, other: &[f64]) -> ReadIrradiance {
-        let beside = Beside { scale: &self.light.scale, dark: &self.dark, other };
+    /// Wishes for a reading of which so many rays are sent at first.
+    fn wanted(&self, first: u64) -> Wanted<'_> {
+        Wanted { first, caution: CAUTION, least: 1.0, dark: &self.dark }
+    }
+
+    /// Light by these rays, as it is `wanted`; `other` light (W m⁻² per band) arrives too. Further rays are sent of the
+    /// kind that errs more: around, or to far emitters.
+    fn gathered(&self, rays: &ReceiverRays, wanted: &Wanted, other: &[f64]) -> ReadIrradiance {
+        let Wanted { first, caution, least: least_more, dark } = *wanted;
+        let bands = dark.len();
+        let beside = Beside { scale: &self.light.scale, dark, other };
         let RayCounts { first, least, most } = self.counts(first);
         let number = rays.number();
-        let mut batches = Batches::of(self.dark.len());
-        let mut count = first;
-        loop {
-            batches
+        let (mut around, mut to_far) = (Batches::of(bands), Batches::of(2 * bands));
+        let send_around = |around: &mut Batches, count: u64| {
+            around
                 .send(count, |batch, indices, scores| rays.add(number.wrapping_add(batch), indices, scores));
-            let estimate = batches.estimate(&beside);
-            let is_enough = batches.sent() >= least && CAUTION * estimate.missed <= self.eps;
-            if is_enough || batches.are_last(most) {
+        };
+        let send_far = |to_far: &mut Batches, far: &FarLamps, count: u64| {
+            to_far.send(count, |batch, indices, scores| {
+                rays.add_far(far, number.wrapping_add(batch), indices, scores);
+            });
+        };
+        send_around(&mut around, first);
+        let far = rays.far();
+        far.iter().for_each(|far| send_far(&mut to_far, far, FIRST_TO_FAR));
+        loop {
+            let reflected = around.light(&self.light.scale);
+            let direct = far.map(|far| to_far.part_of(&far.whole));
+            let all: Option<Vec<BandLight>> =
+                direct.as_ref().map(|direct| reflected.iter().zip(direct).map(|(a, b)| a.and(b)).collect());
+            let estimate = Estimate::of(all.as_ref().unwrap_or(&reflected), &beside, around.are_whole());
+            let (is_first, missed) = (around.sent() < least, caution * estimate.missed / self.eps);
+            if !is_first && missed <= 1.0 {
                 return estimate.into();
             }
-            count = batches.sent();
+            let err_more = |direct: &Vec<BandLight>| sum(direct) > sum(&reflected);
+            let more = |sent: u64| if is_first { sent } else { further(sent, missed, least_more) };
+            let is_far = !is_first && direct.as_ref().is_some_and(err_more);
+            match far {
+                Some(far) if (is_far || around.are_last(most)) && !to_far.are_last(most) => {
+                    let count = more(to_far.sent());
+                    send_far(&mut to_far, far, count);
+                }
+                _ if !around.are_last(most) => {
+                    let count = more(around.sent());
+                    send_around(&mut around, count);
+                }
+                _ => return estimate.into(),
+            }
         }
     }
+}
+
+/// Sum of the errors over the bands (W m⁻²).
+fn sum(light: &[BandLight]) -> f64 {
+    light.iter().map(|band| band.error).sum()
+}
+
+/// Further rays after so many whose error is `missed` times what is allowed: as far as it falls as in rooms, at most as
+/// many again, and the part `least` of them at least.
+fn further(sent: u64, missed: f64, least: f64) -> u64 {
+    let more = (missed.powf(4.0 / 3.0) - 1.0).clamp(least, 1.0);
+    2 * (0.5 * more * sent as f64).ceil() as u64
 }

@@ -10,14 +10,24 @@ use radiosity_light::receiver_point::ReceiverPoint;
 pub enum Receiver {
     /// Irradiance at a point.
     Point(ReceiverPoint),
-    /// The mean over a patch of the surface of this index.
-    Patch(usize, AreaPreservingMap),
+    /// The mean over a patch.
+    Patch(ReceiverPatch),
+}
+
+/// A patch of a surface, over which light is read in the mean.
+#[derive(Debug)]
+pub struct ReceiverPatch {
+    /// Index of the surface.
+    pub(super) surface: usize,
+    pub(super) patch: Patch,
+    area_map: AreaPreservingMap,
 }
 
 impl Receiver {
     /// The mean over a patch of the surface of this index.
     pub fn over(surface: usize, patch: &Patch) -> Self {
-        Self::Patch(surface, AreaPreservingMap::of(std::slice::from_ref(patch)))
+        let area_map = AreaPreservingMap::of(std::slice::from_ref(patch));
+        Self::Patch(ReceiverPatch { surface, patch: patch.clone(), area_map })
     }
 
     pub(super) fn middle(&self) -> ReceiverPoint {
@@ -28,9 +38,9 @@ impl Receiver {
     pub(super) fn at(&self, place: [f64; 2]) -> (ReceiverPoint, f64) {
         match self {
             Self::Point(receiver) => (*receiver, 1.0),
-            Self::Patch(surface, area_map) => {
-                let WeightedNode { node, weight } = area_map.point(place);
-                (ReceiverPoint::on(*surface, node.position, node.normal), weight)
+            Self::Patch(own) => {
+                let WeightedNode { node, weight } = own.area_map.point(place);
+                (ReceiverPoint::on(own.surface, node.position, node.normal), weight)
             }
         }
     }

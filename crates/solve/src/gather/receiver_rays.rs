@@ -27,9 +27,10 @@ use radiosity_light::lamps::Shares;
 use radiosity_light::receiver_point::ReceiverPoint;
 use radiosity_work::interruption::check_interrupt_at;
 
+use crate::gather::flat_lamps::FarLamps;
 use crate::gather::met_light::{Ending, MetLight};
 use crate::gather::receiver::Receiver;
-use crate::gather::sent_rays::{AimedRays, RayMix, SentRays};
+use crate::gather::sent_rays::{AimedRays, Met, RayMix, SentRays};
 use crate::gather::trusted_light::WalkEnds;
 use crate::gather::walked_light::{Draws, Scores, WalkedLight};
 
@@ -52,6 +53,8 @@ pub(super) struct ReceiverRays<'s> {
     onward: Onward,
     /// Emitters as targets; None where their light is known.
     lamps: Option<Shares<'s>>,
+    /// Emitters whose light is found apart.
+    far: Option<FarLamps<'s>>,
     /// Elements that glow for it, as targets.
     glowing: Shares<'s>,
     /// Light of the luminaires at a point (W m⁻² per band); None over patches, and where it is known.
@@ -70,13 +73,15 @@ impl<'s> ReceiverRays<'s> {
     /// Rays that find the reflected light of a receiver, `onward` from what they meet.
     pub(super) fn reflected(light: &'s MetLight<'s>, origin: &'s Receiver, onward: Onward) -> Self {
         let glowing = light.glow.seen_from(&origin.middle());
-        Self { light, origin, onward, lamps: None, glowing, lit: None }
+        Self { light, origin, onward, lamps: None, far: None, glowing, lit: None }
     }
 
     /// Rays that find all light of a receiver.
     pub(super) fn all(light: &'s MetLight<'s>, origin: &'s Receiver, onward: Onward) -> Self {
-        let lamps = Some(light.rays.lamps.seen_from(&origin.middle()));
-        Self { lamps, lit: lit(light, origin), ..Self::reflected(light, origin, onward) }
+        let far = light.flat_lamps.far_from(&light.rays, origin);
+        let is_left = |element: usize| far.as_ref().is_none_or(|far| !far.hold(element));
+        let lamps = Some(light.rays.lamps.seen_among(&origin.middle(), is_left));
+        Self { lamps, far, lit: lit(light, origin), ..Self::reflected(light, origin, onward) }
     }
 
     /// The number from which whatever is chosen follows.
@@ -105,6 +110,23 @@ impl<'s> ReceiverRays<'s> {
         }
     }
 
+    /// Emitters whose light is found apart, by rays to them alone.
+    pub(super) fn far(&self) -> Option<&FarLamps<'s>> {
+        self.far.as_ref()
+    }
+
+    /// Adds the light of what is far by the rays of these indices.
+    pub(super) fn add_far(&self, far: &FarLamps, number: u64, rays: Range<u64>, scores: &mut Scores) {
+        far.add(&self.light.rays, self.origin, number, rays, scores.sums);
+    }
+
+    /// Adds `factor` times the exitance of what a cosine-distributed ray met, unless it is found apart.
+    fn add_emitted(&self, receiver: &ReceiverPoint, met: &Met, factor: f64, sums: &mut [f64]) {
+        if !self.far.as_ref().is_some_and(|far| far.hold(met.element)) {
+            self.light.add_emitted_by(receiver, met, self.to_lamps(), factor, sums);
+        }
+    }
+
     fn to_lamps(&self) -> Option<AimedRays<'_>> {
         self.lamps.as_ref().map(|shares| AimedRays { shares, ratio: TO_LAMPS })
     }
@@ -127,7 +149,7 @@ impl<'s> ReceiverRays<'s> {
             if let Some(met) = light.rays.met(&receiver, direction) {
                 let left = self.to_glowing().left(&receiver, &met);
                 light.add_reflected_by(&met, ending.of_ray(chance), left, &mut radiosity);
-                light.add_emitted_by(&receiver, &met, self.to_lamps(), 1.0, &mut radiosity);
+                self.add_emitted(&receiver, &met, 1.0, &mut radiosity);
             }
             sums.iter_mut().zip(&radiosity).for_each(|(sum, radiosity)| *sum += weight * radiosity);
         }
@@ -146,7 +168,7 @@ impl<'s> ReceiverRays<'s> {
             let [a, b, polar, turn, choice, s, t, dice] = shifted(kronecker::point(index), &further);
             let Start { receiver, weight, direction } = self.start(index, &offset, || [a, b]);
             let Some(met) = rays.met(&receiver, direction) else { continue };
-            self.light.add_emitted_by(&receiver, &met, self.to_lamps(), weight, scores.sums);
+            self.add_emitted(&receiver, &met, weight, scores.sums);
             let weight = weight * self.to_glowing().left(&receiver, &met);
             let draws = Draws { direction: [polar, turn], target: [choice, s, t], dice };
             let chance = number_of([f64::from_bits(number), index as f64]);
@@ -156,7 +178,7 @@ impl<'s> ReceiverRays<'s> {
 
     /// Walks from what rays meet.
     fn walked(&self, ends: WalkEnds) -> WalkedLight<'_> {
-        WalkedLight::new(self.light.sent, &self.light.rays, ends)
+        WalkedLight::new(self.light.sent, &self.light.rays, &self.light.lit_cells, ends)
     }
 
     /// Sends rays of these indices to what glows.

@@ -29,7 +29,10 @@ pub(super) enum WalkEnds {
     /// Nowhere.
     Never,
     /// Where those of reflected light are trusted.
-    Trusted,
+    Trusted {
+        /// Whether direct light that is far away is that of cells.
+        by_cells: bool,
+    },
     /// On all surfaces but these two, between which there is a narrow gap.
     OutOfGap([usize; 2]),
 }

@@ -15,8 +15,9 @@
 //! ```
 //!
 //! Walks may end before, at light that the polynomials S_h are trusted with (`super::trusted_light`): they add S_h, and
-//! the direct light by the ray to the emitter alone. Those that only find the light of a narrow gap end outside of it,
-//! at the polynomials of all light.
+//! the direct light by the ray to the emitter alone. Of many readings direct light of what is far is that of cells
+//! (`super::lit_cells`), with which exitance that is met next is counted. Those that only find the light of a narrow
+//! gap end outside of it, at the polynomials of all light.
 //!
 //! No weight exceeds 1/k by going on, so the variance is finite for any reflectance. A walk of n surfaces of the
 //! reflectance ρ takes some log(k)/(1 − ρ) + 1/(1 − ρ) steps; beyond `LONGEST` it is given up, and what is read with
@@ -31,6 +32,7 @@ use radiosity_light::receiver_point::ReceiverPoint;
 use radiosity_work::interruption::check_interrupt;
 use smallvec::SmallVec;
 
+use crate::gather::lit_cells::LitCells;
 use crate::gather::sent_rays::{Met, SentRays};
 use crate::gather::trusted_light::{WalkEnds, is_trusted};
 use crate::solution::{Solution, SurfacePlace};
@@ -79,12 +81,19 @@ pub(super) struct Scores<'s> {
 pub(super) struct WalkedLight<'a> {
     solution: &'a Solution,
     rays: &'a SentRays<'a>,
+    /// Direct light of what is far away, where it is wanted.
+    lit_cells: &'a LitCells,
     ends: WalkEnds,
 }
 
 impl<'a> WalkedLight<'a> {
-    pub(super) fn new(solution: &'a Solution, rays: &'a SentRays<'a>, ends: WalkEnds) -> Self {
-        Self { solution, rays, ends }
+    pub(super) fn new(
+        solution: &'a Solution,
+        rays: &'a SentRays<'a>,
+        lit_cells: &'a LitCells,
+        ends: WalkEnds,
+    ) -> Self {
+        Self { solution, rays, lit_cells, ends }
     }
 
     /// Adds the light that the place `met` reflects and lets through, `weight` times, by a walk from there: `draws`
@@ -104,10 +113,14 @@ impl<'a> WalkedLight<'a> {
             check_interrupt();
             scores.surfaces += 1;
             let Some(there) = self.left(&met, chance, &mut weights) else { return };
+            let lit = self.by_cells(&met, &there);
             match self.ends {
-                WalkEnds::Trusted if is_trusted(self.rays, &met, &there) => {
+                WalkEnds::Trusted { .. } if is_trusted(self.rays, &met, &there) => {
                     self.add_held(&met, &there, &weights, scores.sums, Solution::indirect_bands);
-                    self.add_direct(&there, &weights, 0.0, &draws, chance, scores.sums);
+                    match lit {
+                        Some(lit) => add_weighted(lit, &weights, scores.sums),
+                        None => self.add_direct(&there, &weights, 0.0, &draws, chance, scores.sums),
+                    }
                     return;
                 }
                 WalkEnds::OutOfGap(own) if !own.contains(&met.place.surface) => {
@@ -117,17 +130,31 @@ impl<'a> WalkedLight<'a> {
                 _ => {}
             }
             let part = (least * largest(&weights)).min(1.0);
-            self.add_direct(&there, &weights, part, &draws, chance, scores.sums);
+            match lit {
+                Some(lit) => add_weighted(lit, &weights, scores.sums),
+                None => self.add_direct(&there, &weights, part, &draws, chance, scores.sums),
+            }
             if draws.dice >= part {
                 return;
             }
             let Some(next) = self.rays.met(&there, lambert(there.normal, draws.direction)) else { return };
-            self.add_exitance(&there, &next, &weights, part, scores.sums);
+            if lit.is_none() {
+                self.add_exitance(&there, &next, &weights, part, scores.sums);
+            }
             weights.iter_mut().for_each(|weight| *weight /= part);
             chance = number_of([f64::from_bits(chance), 3.0]);
             (met, draws) = (next, Draws::of(chance));
         }
         scores.are_whole = false;
+    }
+
+    /// Direct light per band (W m⁻²) at the side `there` of what a ray met, by cells; None where it is not to be taken
+    /// from them.
+    fn by_cells(&self, met: &Met, there: &ReceiverPoint) -> Option<&'a [f64]> {
+        let is_wanted =
+            matches!(self.ends, WalkEnds::Trusted { by_cells: true }) && there.normal.dot(met.normal) > 0.0;
+        let lit = || self.lit_cells.at(self.solution, self.rays, met.element, &met.place, met.distance);
+        if is_wanted { lit() } else { None }
     }
 
     /// The side of a surface from which a walk goes on, with the weights that are left of it; None where nothing
@@ -230,6 +257,11 @@ impl<'a> WalkedLight<'a> {
             *sum += share * weight * band.coating.exitance[element];
         }
     }
+}
+
+/// Adds light per band (W m⁻²) times the weights that are left.
+fn add_weighted(light: &[f64], weights: &Weights, sums: &mut [f64]) {
+    sums.iter_mut().zip(weights).zip(light).for_each(|((sum, weight), light)| *sum += weight * light);
 }
 
 /// The largest weight.
