@@ -5,6 +5,7 @@ use radiosity::reading::pictures::lightmap::Lightmap;
 use radiosity::reading::reader::{ReadMode, Reader};
 use radiosity::scene::Scene;
 use radiosity::solve::Options;
+use radiosity::solve::gather::gather_method::GatherMethod;
 use radiosity::solve::solution::SurfacePlace;
 use radiosity::solve::solved::Solved;
 use radiosity_test_support::scenes::{builtin, typed};
@@ -89,6 +90,33 @@ fn texels_hold_the_light_that_is_gathered_at_their_centres() {
     let solved = solved(builtin("cornell-box"));
     let rms = difference(&solved, &lightmap(&solved, 4000), &[1.0]);
     assert!(rms < 1e-2, "{rms}");
+}
+
+/// Where a block stands on the floor its dark side sees nothing but the edge of the block's shadow, which polynomials
+/// do not follow: texels there hold the light that walks find. With polynomials they are 13 % too bright.
+#[test]
+fn texels_at_the_foot_of_a_block_hold_the_light_there() {
+    let solved = solved(builtin("cornell-box"));
+    let lightmap = lightmap(&solved, 3000);
+    let solution = &solved.outcome.solution;
+    let walks = Reader::by(GatherMethod::Walks, solution, solved.visibility(), ReadMode::Gather, 5e-3);
+    let surface = solved.scene.surface_named("short_block_side2").expect("it is there");
+    let (texture, shape) = (&lightmap.surfaces()[surface], solution.elements().shape(surface));
+    let mean: f64 = solution.mean_arriving().iter().sum();
+    let rows = texture.size()[1];
+    let errors = (1..rows - 1).map(|j| {
+        let [_, v] = texture.parameters([0, j]);
+        let parameters = [-1.0 + 1e-3, v];
+        let jet = shape.jet(parameters[0], parameters[1]);
+        let place = SurfacePlace { surface, parameters, position: jet.position };
+        let element = solution.elements().at(surface, parameters).expect("nothing lies there");
+        let right: f64 = walks.irradiance(element, &place, jet.normal).irradiance.iter().sum();
+        let found: f64 = (0..solution.bands().len()).map(|band| texture.at(0, band, parameters)).sum();
+        (found - right) / (right * right.max(mean)).sqrt()
+    });
+    let errors: Vec<f64> = errors.collect();
+    let rms = (errors.iter().map(|error| error * error).sum::<f64>() / errors.len() as f64).sqrt();
+    assert!(errors.len() >= 5 && rms < 0.04, "{rms}: {errors:?}");
 }
 
 #[test]

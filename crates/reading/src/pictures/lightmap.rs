@@ -21,7 +21,8 @@
 //! E = Σ_g f_g E_g ,     B = f_own E₀ + ρ E        (unit of exitance)
 //! ```
 //!
-//! Light is read as pictures read it (`frame_light`): the same for any number of threads.
+//! Light is read as pictures read it (`frame_light`), and anew where polynomials may miss much of it, as at the foot of
+//! a block in whose shadow it stands: the same for any number of threads.
 
 mod sizes;
 mod places;
@@ -115,7 +116,9 @@ impl Lightmap {
         };
         let lights: Vec<PictureLight> = solutions
             .into_iter()
-            .map(|solution| PictureLight::new(solution, solved.visibility(), read, GATHERED_FOR_PICTURES))
+            .map(|solution| {
+                PictureLight::new(solution, solved.visibility(), read, GATHERED_FOR_PICTURES).of_texels()
+            })
             .collect();
         let sizes = sizes(&solved.scene, texels);
         let diagonal = solved.visibility().bounds().diagonal();

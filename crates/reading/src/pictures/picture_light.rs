@@ -70,6 +70,16 @@ pub(crate) struct PictureLight<'a> {
     direct: DirectSource<'a>,
     /// Where the rest is gathered; None where it is read from the polynomials.
     rest: Option<Gathering<'a>>,
+    shown_by: ShownBy,
+}
+
+/// Places that show the light.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum ShownBy {
+    /// Pixels of one picture.
+    Pixels,
+    /// Texels, which are seen from near and far: polynomials are not taken where they may miss much.
+    Texels,
 }
 
 #[derive(Debug)]
@@ -96,7 +106,13 @@ impl<'a> PictureLight<'a> {
             _ => DirectSource::Rays(Penumbra::new(&emitters, visibility, IN_PENUMBRA * eps)),
         };
         let mean = solution.mean_arriving().iter().sum();
-        Self { solution, eps, mean, shown: Quantity::default(), eye: None, direct, rest }
+        let (shown, shown_by) = (Quantity::default(), ShownBy::Pixels);
+        Self { solution, eps, mean, shown, eye: None, direct, rest, shown_by }
+    }
+
+    /// This light, as texels show it: the rest is read anew where polynomials may miss much of it.
+    pub(crate) fn of_texels(self) -> Self {
+        Self { shown_by: ShownBy::Texels, ..self }
     }
 
     /// This light, of which a picture shows the quantity `shown`, as seen from the point `eye`.
@@ -176,7 +192,11 @@ impl<'a> PictureLight<'a> {
             return ComputedLight { bands: self.polynomials(seen), error: 0.0 };
         };
         let other = self.beside(seen, lit, error_factor);
-        let ReadIrradiance { irradiance, deviation } = gathering.reflected(&seen.receiver_point(), &other);
+        let point = seen.receiver_point();
+        let ReadIrradiance { irradiance, deviation } = match self.shown_by {
+            ShownBy::Pixels => gathering.reflected(&point, &other),
+            ShownBy::Texels => gathering.reflected_for_sure(&point, &other),
+        };
         let all: f64 = irradiance.iter().chain(&other).sum();
         ComputedLight { bands: irradiance, error: deviation.map_or(0.0, |own| own.relative * all) }
     }

@@ -138,10 +138,22 @@ impl<'a> DoubtfulPlaces<'a> {
 
     /// The light of a doubtful point, where so much is `lit` by emitters (W m⁻² per band); None elsewhere.
     pub(super) fn point_anew(&self, receiver: &ReceiverPoint, lit: &[f64]) -> Option<ReadIrradiance> {
+        let allowed = |all: f64| f64::min(DOUBTFUL * all, UNSURE * all.max(1.0));
+        self.is_doubtful(receiver, lit, allowed).then(|| self.read_anew(&Receiver::Point(*receiver), lit))
+    }
+
+    /// The reflected light of a point, one of many, accurate relative to this and the light `other` (W m⁻² per band),
+    /// if it is doubtful beside both; None elsewhere.
+    pub(super) fn reflected_anew(&self, receiver: &ReceiverPoint, other: &[f64]) -> Option<ReadIrradiance> {
+        let allowed = |all: f64| DOUBTFUL * all;
+        self.is_doubtful(receiver, other, allowed).then(|| self.shadows.reflected_onward(receiver, other))
+    }
+
+    /// Whether the polynomials about a point may miss more than is allowed beside all its light, over the usual one; so
+    /// much of it is `known` (W m⁻² per band).
+    fn is_doubtful(&self, receiver: &ReceiverPoint, known: &[f64], allowed: impl Fn(f64) -> f64) -> bool {
         let looks = self.looks(receiver, &self.varying);
-        let all = self.beside_usual(lit) + self.beside_usual(&looks.reflected);
-        let least = f64::min(DOUBTFUL * all, UNSURE * all.max(1.0));
-        (looks.doubt > least).then(|| self.read_anew(&Receiver::Point(*receiver), lit))
+        looks.doubt > allowed(self.beside_usual(known) + self.beside_usual(&looks.reflected))
     }
 
     /// The light of a doubtful patch, where so much is `lit` by emitters and so much `reflected` light was found (W m⁻²

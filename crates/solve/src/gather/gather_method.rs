@@ -140,6 +140,13 @@ impl<'a> Gathering<'a> {
             GatheredBy::Rays(gather) => gather.reflected(receiver, lit),
         })
     }
+
+    /// As [`Gathering::reflected`], read anew if the point is doubtful.
+    pub fn reflected_for_sure(&self, receiver: &ReceiverPoint, lit: &[f64]) -> ReadIrradiance {
+        let outside = self.doubtful.as_ref().filter(|places| !places.is_in_gap(receiver));
+        let anew = outside.and_then(|places| places.reflected_anew(receiver, lit));
+        anew.unwrap_or_else(|| self.reflected(receiver, lit))
+    }
 }
 
 impl GatherMethod {

@@ -206,6 +206,13 @@ impl<'a> RayGather<'a> {
         self.gathered(&rays, &self.wanted(FIRST_OF_MANY), other)
     }
 
+    /// As [`RayGather::reflected`], but polynomials are left where they are not trusted.
+    pub(super) fn reflected_onward(&self, receiver: &ReceiverPoint, other: &[f64]) -> ReadIrradiance {
+        let origin = Receiver::Point(*receiver);
+        let rays = ReceiverRays::reflected(&self.light, &origin, self.beyond.onward(Held::READ));
+        self.gathered(&rays, FIRST_OF_MANY, other)
+    }
+
     /// Numbers of rays, of which `first` are sent before the error is looked at where they do not go on.
     fn counts(&self, first: u64) -> RayCounts {
         match self.beyond {
