@@ -44,8 +44,8 @@ use radiosity_visibility::Visibility;
 use crate::solution::{Solution, SurfacePlace};
 use crate::tolerances::FIRST_OVER_SECOND;
 
-/// Error of the direct light of elements over that of the light which is gathered from them: the integral over what they
-/// reflect smooths it, and their tables follow light to ten times that accuracy. Chosen.
+/// Error of the direct light of elements over that of the light which is gathered from them: the integral over what
+/// they reflect smooths it, and their tables follow light to ten times that accuracy. Chosen.
 const ON_ELEMENTS: f64 = 4.0;
 
 /// A solution prepared for gathering.

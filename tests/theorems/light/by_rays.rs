@@ -324,8 +324,9 @@ fn rays_find_the_inside_of_a_lampshade() {
     assert!(worst < 0.015, "{worst}");
 }
 
-/// A lit plate that fills a thousandth of the view and reflects 2 to 4 times what most surfaces receive, in a glimmering
-/// dome: most of 512 rays miss it, and their sequences agree on that. The plate is lit by a lamp below the sensors, and
+/// A lit plate that fills a thousandth of the view and reflects 2 to 4 times what most surfaces receive, in a
+/// glimmering dome: most of 512 rays miss it, and their sequences agree on that. The plate is lit by a lamp below the
+/// sensors, and
 ///
 /// ```text
 /// E = e (1 − F) + ρ ∫ ( I cos θ / |y − p|² + e ) κ(x, y) dA_y ,     F = ∫ κ(x, y) dA_y

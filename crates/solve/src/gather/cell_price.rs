@@ -6,8 +6,8 @@
 //! ```
 //!
 //! with s surfaces that stand about, c of them curved, and a, b larger for curved lamps; of emitters whose light varies
-//! with its direction a is that of all their cells. Measured on fifteen rooms of 30 to 240 elements, the Cornell box and
-//! the teapot, at ε = 3·10⁻³ and 9·10⁻⁴: right within a factor of three, where it says a millisecond or more.
+//! with its direction a is that of all their cells. Measured on fifteen rooms of 30 to 240 elements, the Cornell box
+//! and the teapot, at ε = 3·10⁻³ and 9·10⁻⁴: right within a factor of three, where it says a millisecond or more.
 
 use radiosity_elements::Element;
 use radiosity_visibility::Visibility;
