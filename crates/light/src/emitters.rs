@@ -41,6 +41,11 @@ impl Radiances {
         self.of_surface(surface).is_some()
     }
 
+    /// Whether the light of a surface varies with its direction, and not at the horizon alone.
+    pub fn is_graded(&self, surface: usize) -> bool {
+        self.of_surface(surface).is_some_and(Radiance::is_graded)
+    }
+
     /// The radiance that a surface sends into a unit direction, over that of a diffuse emitter of its
     /// exitance.
     pub fn relative(&self, surface: usize, into: DVec3) -> f64 {

@@ -80,6 +80,11 @@ impl Outlook {
         }
     }
 
+    /// Whether a varies between directions that rise, or between those that fall.
+    pub(crate) fn is_graded(&self) -> bool {
+        self.opening.glass.is_some() || !self.opening.sky.is_even()
+    }
+
     /// Unit vector to the zenith.
     pub(crate) fn zenith(&self) -> DVec3 {
         self.opening.sky.zenith()

@@ -52,6 +52,11 @@ impl Radiance {
         self.outlook().map(|outlook| outlook.zenith())
     }
 
+    /// Whether a varies from one direction to the next, and not at the horizon alone.
+    pub fn is_graded(&self) -> bool {
+        self.outlook().is_none_or(|outlook| outlook.is_graded())
+    }
+
     /// Error of the mean of a over a cell, on one side of the horizon, by what is between its points; `into`
     /// are the directions, of any length, from the corners of the cell to the point that sees it.
     pub fn left_out(&self, into: &[DVec3]) -> f64 {

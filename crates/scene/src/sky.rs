@@ -128,6 +128,11 @@ impl Sky {
         self.up
     }
 
+    /// Whether the radiance is even above the horizon.
+    pub(crate) fn is_even(&self) -> bool {
+        self.model == SkyModel::Uniform
+    }
+
     /// Unit vector to where the radiance has a tip: the sun in a clear sky.
     pub(crate) fn peak(&self) -> Option<DVec3> {
         self.sun.as_ref().filter(|_| self.model == SkyModel::Clear).map(|sun| sun.direction)
@@ -146,9 +151,10 @@ impl Sky {
         match (self.model, &self.sun) {
             (SkyModel::Overcast, _) => (1.0 + 2.0 * cosine) / 3.0,
             (SkyModel::Clear, Some(sun)) => {
-                let chi = from.cross(sun.direction).length().atan2(from.dot(sun.direction));
+                let beside = from.dot(sun.direction);
+                let chi = from.cross(sun.direction).length().atan2(beside);
                 let near = 10.0 * ((-3.0 * chi).exp() - (-3.0 * FRAC_PI_2).exp());
-                (1.0 + near + 0.45 * chi.cos().powi(2)) * (1.0 - (-0.32 / cosine).exp())
+                (1.0 + near + 0.45 * beside * beside) * (1.0 - (-0.32 / cosine).exp())
             }
             _ => 1.0,
         }

@@ -48,10 +48,7 @@ pub(crate) struct Cell {
     pub(crate) nodes: [Node; POINTS],
     /// The positions of the Gauss points, component by component.
     pub(crate) lanes: [[f64; POINTS]; 3],
-    /// Values of the field, point after point, channels fastest.
-    values: SmallVec<[f64; 12]>,
-    /// Mean of each channel over the cell's area, by its finest parts.
-    means: SmallVec<[f64; 3]>,
+    pub(crate) field: Field,
     /// Tangent planes at the corners and the Gauss points of a curved cell.
     pub(crate) samples: Vec<Plane>,
     /// Mean of the points of the hull.
@@ -60,13 +57,6 @@ pub(crate) struct Cell {
     pub(crate) radius: f64,
     /// The corners, where the cell counts as a flat quadrilateral.
     pub(crate) quad: Option<MeasuredQuad>,
-    /// Largest mean of a channel over its scale.
-    pub(crate) brightness: f64,
-    /// Largest difference of a value from the mean, over the channel's scale.
-    pub(crate) spread: f64,
-    /// Largest difference between the mean by the cell's points and that by its finest parts, over the
-    /// channel's scale.
-    pub(crate) detail: f64,
     /// Whether the bilinear function of the four values may be continued beyond their range.
     is_smooth: bool,
     /// Smallest cosine between two normals.
@@ -77,6 +67,22 @@ pub(crate) struct Cell {
     pub(crate) warp: f64,
     /// By how much its points miss its area and place.
     pub(crate) moments: Moments,
+}
+
+/// A field at the Gauss points of a cell.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Field {
+    /// Values, point after point, channels fastest.
+    values: SmallVec<[f64; 12]>,
+    /// Mean of each channel over the cell's area, by its finest parts.
+    means: SmallVec<[f64; 3]>,
+    /// Largest mean of a channel over its scale.
+    pub(crate) brightness: f64,
+    /// Largest difference of a value from the mean, over the channel's scale.
+    pub(crate) spread: f64,
+    /// Largest difference between the mean by the cell's points and that by its finest parts, over the
+    /// channel's scale.
+    pub(crate) detail: f64,
 }
 
 /// A quadrilateral with its size.
@@ -90,6 +96,39 @@ pub(crate) struct MeasuredQuad {
 impl MeasuredQuad {
     fn of(quad: Quad) -> Self {
         Self { quad, radius: quad.radius() }
+    }
+}
+
+impl Field {
+    /// The field of these values at the points of a cell, `nodes`; `scale` has one positive number per channel.
+    fn new(values: SmallVec<[f64; 12]>, nodes: &[Node; POINTS], scale: &[f64]) -> Self {
+        let mut field = Self { values, ..Self::default() };
+        field.means = (0..scale.len()).map(|channel| field.mean(nodes, channel)).collect();
+        for (channel, scale) in scale.iter().enumerate() {
+            let mean = field.means[channel];
+            let difference = |k: usize| (field.value(k, channel) - mean).abs();
+            let spread = (0..POINTS).map(difference).fold(0.0, f64::max);
+            field.brightness = field.brightness.max(mean.abs() / scale);
+            field.spread = field.spread.max(spread / scale);
+        }
+        field
+    }
+
+    /// Value of a channel at a Gauss point.
+    pub(crate) fn value(&self, point: usize, channel: usize) -> f64 {
+        self.values[point * (self.values.len() / POINTS) + channel]
+    }
+
+    /// Mean of a channel over the area of a cell, by its points.
+    fn mean(&self, nodes: &[Node; POINTS], channel: usize) -> f64 {
+        let area: f64 = nodes.iter().map(|node| node.area).sum();
+        let sum: f64 = (0..POINTS).map(|k| nodes[k].area * self.value(k, channel)).sum();
+        if area > 0.0 { sum / area } else { 0.0 }
+    }
+
+    /// Whether it is constant over the cell.
+    pub(crate) fn is_uniform(&self) -> bool {
+        self.spread == 0.0 && self.detail == 0.0
     }
 }
 
@@ -136,14 +175,10 @@ impl Cell {
             nodes,
             lanes,
             samples,
-            values: SmallVec::new(),
-            means: SmallVec::new(),
+            field: Field::default(),
             center,
             radius,
             quad,
-            brightness: 0.0,
-            spread: 0.0,
-            detail: 0.0,
             is_smooth: true,
             bend,
             is_straight,
@@ -154,54 +189,35 @@ impl Cell {
 
     /// The cell with `values` of a field at its points; `scale` has one positive number per channel.
     pub(crate) fn with_values(mut self, values: SmallVec<[f64; 12]>, scale: &[f64]) -> Self {
-        self.values = values;
-        self.means = (0..scale.len()).map(|channel| self.mean(channel)).collect();
-        for (channel, scale) in scale.iter().enumerate() {
-            let mean = self.means[channel];
-            let difference = |k: usize| (self.value(k, channel) - mean).abs();
-            let spread = (0..POINTS).map(difference).fold(0.0, f64::max);
-            self.brightness = self.brightness.max(mean.abs() / scale);
-            self.spread = self.spread.max(spread / scale);
-        }
+        self.field = Field::new(values, &self.nodes, scale);
         self
     }
 
-    /// The cell of an emitter of the exitance 1 that spreads its light so, in one channel of this scale, as a
+    /// The field of an emitter of the exitance 1 that spreads its light so, in one channel of this scale, as a
     /// point sees it.
-    pub(crate) fn seen(&self, radiance: &Radiance, point: DVec3, scale: f64) -> Self {
+    pub(crate) fn seen(&self, radiance: &Radiance, point: DVec3, scale: f64) -> Field {
         let towards = |y: DVec3| radiance.relative((point - y).normalize_or_zero());
         let values = self.nodes.iter().map(|node| towards(node.position)).collect();
-        let bare = Self {
-            patch: self.patch.clone(),
-            quarters: OnceLock::new(),
-            hull: self.hull.clone(),
-            samples: self.samples.clone(),
-            values: SmallVec::new(),
-            means: SmallVec::new(),
-            brightness: 0.0,
-            spread: 0.0,
-            detail: 0.0,
-            ..*self
-        };
-        let mut cell = bare.with_values(values, &[scale]);
-        let mean = cell.mean(0);
+        let mut field = Field::new(values, &self.nodes, &[scale]);
+        let mean = field.means[0];
         // Second differences: the rule errs by about their square where the field is smooth.
         let middle = towards(self.center);
         let bend = (middle - mean).abs();
         let least = if radiance.bends() { BENT } else { 0.0 };
-        cell.detail = bend * (bend / mean.max(f64::MIN_POSITIVE)).clamp(least, 1.0) / scale;
+        field.detail = bend * (bend / mean.max(f64::MIN_POSITIVE)).clamp(least, 1.0) / scale;
         let into: SmallVec<[DVec3; 8]> = self.hull.iter().map(|y| point - y).collect();
         let left_out = radiance.left_out(&into) / scale;
-        cell.detail += left_out;
+        field.detail += left_out;
         // Close to glass all four points may be seen at grazing angles, where it lets nothing through.
         let nearest = self.foot(point).map(towards);
-        cell.spread = nearest.map_or(cell.spread, |nearest| cell.spread.max((nearest - mean).abs() / scale));
-        cell.brightness = cell.brightness.max(left_out).max(nearest.unwrap_or(0.0) / scale);
-        let is_even = cell.values.iter().chain(&nearest).all(|value| *value == middle);
+        field.spread =
+            nearest.map_or(field.spread, |nearest| field.spread.max((nearest - mean).abs() / scale));
+        field.brightness = field.brightness.max(left_out).max(nearest.unwrap_or(0.0) / scale);
+        let is_even = field.values.iter().chain(&nearest).all(|value| *value == middle);
         if is_even && left_out == 0.0 {
-            (cell.spread, cell.detail) = (0.0, 0.0);
+            (field.spread, field.detail) = (0.0, 0.0);
         }
-        cell
+        field
     }
 
     /// About the place of a flat cell that is nearest to `x`, a little within, where the cell is seen at a wide angle.
@@ -240,18 +256,6 @@ impl Cell {
         heights().any(|height| height > 0.0) && heights().any(|height| height < 0.0)
     }
 
-    /// Value of a channel at a Gauss point.
-    pub(crate) fn value(&self, point: usize, channel: usize) -> f64 {
-        self.values[point * (self.values.len() / POINTS) + channel]
-    }
-
-    /// Mean of a channel over the cell's area, by its points.
-    fn mean(&self, channel: usize) -> f64 {
-        let area = self.area();
-        let sum: f64 = (0..POINTS).map(|k| self.nodes[k].area * self.value(k, channel)).sum();
-        if area > 0.0 { sum / area } else { 0.0 }
-    }
-
     /// Area by the Gauss rule (scene length²).
     pub(crate) fn area(&self) -> f64 {
         self.nodes.iter().map(|node| node.area).sum()
@@ -278,11 +282,6 @@ impl Cell {
         self.patch.is_flat()
     }
 
-    /// Whether the field is constant over the cell.
-    pub(crate) fn is_uniform(&self) -> bool {
-        self.spread == 0.0 && self.detail == 0.0
-    }
-
     /// Whether the cell is a flat parallelogram.
     pub(crate) fn is_parallelogram(&self) -> bool {
         self.patch.is_parallelogram()
@@ -295,6 +294,7 @@ impl Cell {
         let differences = quarters.iter().zip(&continued).flat_map(|(quarter, continued)| {
             let channels = scale.iter().cycle();
             quarter
+                .field
                 .values
                 .iter()
                 .zip(continued)
@@ -313,9 +313,9 @@ impl Cell {
     pub(super) fn shift(&mut self, differences: &[f64], scale: &[f64]) {
         let channels = scale.len();
         for (channel, (difference, scale)) in differences.iter().zip(scale).enumerate() {
-            self.means[channel] += difference;
-            (0..POINTS).for_each(|k| self.values[k * channels + channel] += difference);
-            self.brightness = self.brightness.max(self.means[channel].abs() / scale);
+            self.field.means[channel] += difference;
+            (0..POINTS).for_each(|k| self.field.values[k * channels + channel] += difference);
+            self.field.brightness = self.field.brightness.max(self.field.means[channel].abs() / scale);
         }
     }
 
@@ -326,13 +326,15 @@ impl Cell {
         let whole: f64 = quarters.iter().map(Cell::area).sum();
         let mut differences: SmallVec<[f64; 3]> = SmallVec::new();
         for (channel, scale) in scale.iter().enumerate() {
-            let mean = self.mean(channel);
-            let parts = quarters.iter().map(|quarter| quarter.area() * quarter.means[channel]).sum::<f64>();
-            let points = quarters.iter().flat_map(|quarter| (0..POINTS).map(|k| quarter.value(k, channel)));
+            let mean = self.field.mean(&self.nodes, channel);
+            let parts =
+                quarters.iter().map(|quarter| quarter.area() * quarter.field.means[channel]).sum::<f64>();
+            let points =
+                quarters.iter().flat_map(|quarter| (0..POINTS).map(|k| quarter.field.value(k, channel)));
             let spread = points.map(|value| (value - mean).abs()).fold(0.0, f64::max);
-            self.spread = self.spread.max(spread / scale);
+            self.field.spread = self.field.spread.max(spread / scale);
             let difference = if whole > 0.0 { parts / whole - mean } else { 0.0 };
-            self.detail = self.detail.max(difference.abs() / scale);
+            self.field.detail = self.field.detail.max(difference.abs() / scale);
             differences.push(difference);
         }
         self.shift(&differences, scale);
@@ -374,7 +376,7 @@ impl Cell {
     fn interpolated(&self, scale: &[f64]) -> [Cell; 4] {
         let channels = scale.len();
         let range = |channel: usize| {
-            let known = || (0..POINTS).map(|k| self.value(k, channel));
+            let known = || (0..POINTS).map(|k| self.field.value(k, channel));
             let (low, high) = (known().fold(f64::MAX, f64::min), known().fold(f64::MIN, f64::max));
             if self.is_smooth { (low.min(0.0), f64::INFINITY) } else { (low, high) }
         };
@@ -418,7 +420,7 @@ impl Cell {
     pub(super) fn bilinear(&self, place: [f64; 2], channel: usize) -> f64 {
         let places = &UnitRule::of(2).nodes;
         let [s, t] = place.map(|place| (place - places[0]) / (places[1] - places[0]));
-        let side = |k: usize| (1.0 - t) * self.value(k, channel) + t * self.value(k + 1, channel);
+        let side = |k: usize| (1.0 - t) * self.field.value(k, channel) + t * self.field.value(k + 1, channel);
         (1.0 - s) * side(0) + s * side(2)
     }
 

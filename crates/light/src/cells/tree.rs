@@ -228,7 +228,7 @@ impl Growth<'_> {
 
     /// Whether a cell needs no quarters.
     fn suffices(&self, cell: &Cell, level: usize, above: Above) -> bool {
-        let varies = level < EVEN && cell.spread > self.rough;
+        let varies = level < EVEN && cell.field.spread > self.rough;
         level == MOST_QUARTERINGS_OF_FIELD || !(level < self.least || varies || above.bends)
     }
 
@@ -238,9 +238,9 @@ impl Growth<'_> {
         let is_asked = above.has_step || level < self.of_beams;
         if is_asked && size <= self.bent {
             let at_border = self.misfit_at_border(cell);
-            size = size.max(if at_border > JUMP * cell.spread { at_border } else { 0.0 });
+            size = size.max(if at_border > JUMP * cell.field.spread { at_border } else { 0.0 });
         }
-        let jumps = size > JUMP * cell.spread;
+        let jumps = size > JUMP * cell.field.spread;
         Misfit { size, jumps, is_step: self.has_steps && (jumps || size > self.bent) }
     }
 

@@ -21,7 +21,7 @@ use radiosity_geom::{DVec3, Plane};
 use radiosity_kernel::kernel;
 
 use crate::blockers::{BlockerRange, CurvedPiece};
-use crate::cells::cell::{Cell, POINTS};
+use crate::cells::cell::{Cell, Field, POINTS};
 use crate::lines::line_quadrature::LineQuadrature;
 use crate::receiver_point::ReceiverPoint;
 use crate::tolerances::COSINE_OF_CELL;
@@ -39,6 +39,13 @@ const NEAR_OWN: f64 = 0.1;
 /// Factor on the error of a curved cell: the errors of its neighbours have the same sign, and those of some
 /// twenty cells add up. With a smaller value light from curved surfaces may miss its accuracy.
 const CURVED: f64 = 20.0;
+
+/// Factors on the error of a cell of an opening to a sky that nothing hides, and behind flat blockers: radiance bends
+/// alike in all of them, so that their errors add up; at the edges of shadows they do in part. Measured before 20
+/// windows under two clear skies: the largest of 500 errors was 1.1 ε with 5 for the former, and is 0.5 ε with this;
+/// behind a bar the largest of 24 was 1.0 ε with 1 for the latter.
+const OF_SKY: f64 = 20.0;
+const OF_SKY_IN_PART: f64 = 4.0;
 
 /// (1 − cos ϑ)²/AREA_RULE bounds the relative error of two-point rules for the area of a piece of a ball of
 /// width ϑ: for ∫ cos φ dφ it is ϑ⁴/4320 ≈ (1 − cos ϑ)²/1080.
@@ -81,6 +88,8 @@ pub(super) struct Estimate {
 #[derive(Clone, Copy)]
 struct SeenCell<'c> {
     cell: &'c Cell,
+    /// The field on it.
+    field: &'c Field,
     /// The blockers before it.
     before: BlockerRange,
     /// Weights of the Gauss rule, without blockers.
@@ -90,20 +99,20 @@ struct SeenCell<'c> {
 }
 
 impl Traversal<'_> {
-    /// The rule for a cell with the blockers `before` it.
-    pub(super) fn estimate(&self, pass: &Pass, cell: &Cell, before: BlockerRange) -> Estimate {
-        if cell.is_uniform() && cell.is_flat() && self.shadows.are_flat(before) {
+    /// The rule for a cell with this field and the blockers `before` it.
+    pub(super) fn estimate(&self, pass: &Pass, cell: &Cell, field: &Field, before: BlockerRange) -> Estimate {
+        if field.is_uniform() && cell.is_flat() && self.shadows.are_flat(before) {
             let factor = self.receiver.factor(&cell.hull, self.shadows.volumes(before));
             return Estimate { weights: scaled(cell, [0.0; POINTS], factor), error: 0.0 };
         }
         let weights = self.weights(cell);
         let width = 2.0 * cell.radius / self.distance(cell);
-        let seen = SeenCell { cell, before, weights, width };
+        let seen = SeenCell { cell, field, before, weights, width };
         match (self.is_like_flat(cell), before.is_empty()) {
             (true, true) => self.clear_flat(pass, &seen),
             (true, false) if self.shadows.are_flat(before) => self.hidden_flat(pass, &seen),
             (true, false) if cell.is_flat() => self.by_lines(pass, &seen),
-            _ if pass.dome.is_some() && before.is_empty() => self.under_dome(pass, cell),
+            _ if pass.dome.is_some() && before.is_empty() => self.under_dome(pass, cell, field),
             _ => self.curved(pass, &seen),
         }
     }
@@ -124,15 +133,16 @@ impl Traversal<'_> {
 
     /// No blockers: the Gauss rule far away, Lambert's formula near by.
     fn clear_flat(&self, pass: &Pass, seen: &SeenCell) -> Estimate {
-        let SeenCell { cell, weights, width, .. } = *seen;
+        let SeenCell { cell, field, weights, width, .. } = *seen;
+        let alike = if pass.tree.opening().is_some() { OF_SKY } else { 1.0 };
         let sum: f64 = weights.iter().sum();
-        let error = sum * gauss_error(cell, width);
+        let error = alike * sum * gauss_error(field, width);
         let overlooks =
             || self.receiver.clears(cell.center, cell.radius) || self.receiver.overlooks(&cell.hull);
         if width < 1.0 && error <= pass.tolerance && overlooks() {
             return Estimate { weights, error };
         }
-        let by_form = lambert_error(cell, width);
+        let by_form = alike * lambert_error(field, width);
         if width < 1.0 && sum * by_form > HOPELESS * pass.tolerance {
             return Estimate { weights, error: sum * by_form };
         }
@@ -143,13 +153,13 @@ impl Traversal<'_> {
     /// Flat blockers: Lambert's formula for the visible pieces, or the visible points of a cell that sends
     /// little.
     fn hidden_flat(&self, pass: &Pass, seen: &SeenCell) -> Estimate {
-        let SeenCell { cell, before, weights, width } = *seen;
-        if width >= 1.0 || cell.spread == 0.0 {
+        let SeenCell { cell, field, before, weights, width } = *seen;
+        if width >= 1.0 || field.spread == 0.0 {
             return self.pieces(pass, seen);
         }
         let sum: f64 = weights.iter().sum();
-        let geometry = sum * gauss_error(cell, width);
-        let at_stake = sum * cell.brightness;
+        let geometry = sum * gauss_error(field, width);
+        let at_stake = sum * field.brightness;
         if at_stake > SHADED * pass.tolerance {
             let visible = self.visible(pass, cell, weights, before);
             let is_sure = at_stake <= AGREED * pass.tolerance && self.agrees(pass, seen, &visible);
@@ -169,10 +179,12 @@ impl Traversal<'_> {
 
     /// Lambert's formula for the visible pieces of a flat cell behind flat blockers.
     fn pieces(&self, pass: &Pass, seen: &SeenCell) -> Estimate {
-        let SeenCell { cell, before, weights, .. } = *seen;
+        let SeenCell { cell, field, before, weights, .. } = *seen;
         let factor = self.receiver.factor(&cell.hull, self.shadows.volumes(before));
-        let visible = if cell.spread == 0.0 { weights } else { self.visible(pass, cell, weights, before) };
-        Estimate { weights: scaled(cell, visible, factor), error: factor * (cell.spread + cell.detail) }
+        let visible = if field.spread == 0.0 { weights } else { self.visible(pass, cell, weights, before) };
+        let alike = if pass.tree.opening().is_some() { OF_SKY_IN_PART } else { 1.0 };
+        let error = alike * factor * (field.spread + field.detail);
+        Estimate { weights: scaled(cell, visible, factor), error }
     }
 
     /// Whether the points of a cell, its corners and its centre are all visible, or all hidden.
@@ -188,7 +200,7 @@ impl Traversal<'_> {
 
     /// Curved blockers before a flat cell: line quadrature.
     fn by_lines(&self, pass: &Pass, seen: &SeenCell) -> Estimate {
-        let SeenCell { cell, before, weights, width } = *seen;
+        let SeenCell { cell, field, before, weights, width } = *seen;
         let Some(spans) = self.shadows.hidden_spans(before, &cell.hull, &cell.hull, None) else {
             return Estimate { weights: [0.0; POINTS], error: 0.0 };
         };
@@ -196,7 +208,7 @@ impl Traversal<'_> {
             return self.clear_flat(pass, seen);
         }
         let factor = self.receiver.factor(&cell.hull, iter::empty());
-        let stake = factor * cell.brightness;
+        let stake = factor * field.brightness;
         if width < 1.0 && stake <= pass.tolerance {
             return Estimate { weights: self.visible(pass, cell, weights, before), error: pass.tolerance };
         }
@@ -207,8 +219,8 @@ impl Traversal<'_> {
             false => scaled(cell, weights, factor * sum),
         };
         let form = match cell.is_parallelogram() {
-            true => cell.detail + LINEAR * cell.spread,
-            false => cell.detail + cell.spread,
+            true => field.detail + LINEAR * field.spread,
+            false => field.detail + field.spread,
         };
         let near = if width > WIDE { stake } else { 0.0 };
         Estimate { weights, error: near.max(factor * sum * form) }
@@ -216,10 +228,10 @@ impl Traversal<'_> {
 
     /// A curved cell: the Gauss rule times the visible part by line quadrature.
     fn curved(&self, pass: &Pass, seen: &SeenCell) -> Estimate {
-        let SeenCell { cell, before, weights, width } = *seen;
+        let SeenCell { cell, field, before, weights, width } = *seen;
         let whole: f64 = weights.iter().sum();
-        let stake = whole * cell.brightness;
-        if self.most_from(cell, width) <= pass.tolerance {
+        let stake = whole * field.brightness;
+        if self.most_from(seen) <= pass.tolerance {
             return Estimate { weights: self.visible(pass, cell, weights, before), error: pass.tolerance };
         }
         if cell.bend < COSINE_OF_CELL || (width > NEAR && !pass.own) {
@@ -228,8 +240,8 @@ impl Traversal<'_> {
         if self.is_behind(cell) {
             return Estimate { weights, error: 0.0 };
         }
-        let near = if width > NEAR { NEAR_OWN * stake } else { CURVED * whole * gauss_error(cell, width) };
-        let form = near + self.border(cell) + self.misplaced(seen);
+        let near = if width > NEAR { NEAR_OWN * stake } else { CURVED * whole * gauss_error(field, width) };
+        let form = near + self.border(cell, field) + self.misplaced(seen);
         if before.is_empty() {
             return Estimate { weights, error: form };
         }
@@ -249,40 +261,41 @@ impl Traversal<'_> {
         let shares = LineQuadrature::new(self.receiver, &spans).shares(pass.tolerance / stake);
         let share = shares.iter().sum::<f64>().clamp(0.0, 1.0);
         let partial =
-            if share > 0.0 && share < 1.0 { 0.5 * stake * cell.warp + whole * cell.spread } else { 0.0 };
+            if share > 0.0 && share < 1.0 { 0.5 * stake * cell.warp + whole * field.spread } else { 0.0 };
         Estimate { weights: weights.map(|weight| share * weight), error: form.max(partial) }
     }
 
     /// The constant kernel of a ball's inside: the error is that of areas and field.
-    fn under_dome(&self, pass: &Pass, cell: &Cell) -> Estimate {
+    fn under_dome(&self, pass: &Pass, cell: &Cell, field: &Field) -> Estimate {
         let weights = cell.nodes.map(|node| pass.dome.unwrap_or(0.0) * node.area);
         let whole: f64 = weights.iter().sum();
         let turn = 1.0 - cell.bend;
-        Estimate { weights, error: whole * (cell.brightness * turn * turn / AREA_RULE + cell.detail) }
+        Estimate { weights, error: whole * (field.brightness * turn * turn / AREA_RULE + field.detail) }
     }
 
     /// Upper bound of what a cell can send; infinite for a near one.
-    fn most_from(&self, cell: &Cell, width: f64) -> f64 {
+    fn most_from(&self, seen: &SeenCell) -> f64 {
+        let SeenCell { cell, field, width, .. } = *seen;
         if width >= 1.0 {
             return f64::INFINITY;
         }
         let nearest = self.distance(cell) - cell.radius;
-        cell.brightness * cell.area() / (PI * nearest * nearest)
+        field.brightness * cell.area() / (PI * nearest * nearest)
     }
 
     /// Error of a curved cell whose points miss its area or its place; a near one has that of its near rule.
     fn misplaced(&self, seen: &SeenCell) -> f64 {
-        let SeenCell { cell, weights, width, .. } = *seen;
+        let SeenCell { cell, field, weights, width, .. } = *seen;
         if width > NEAR {
             return 0.0;
         }
         let of_field =
-            weights.iter().sum::<f64>() * cell.spread * cell.moments.offset(cell.area(), cell.radius);
-        cell.brightness * cell.moments.error_at(self.distance(cell)) + of_field
+            weights.iter().sum::<f64>() * field.spread * cell.moments.offset(cell.area(), cell.radius);
+        field.brightness * cell.moments.error_at(self.distance(cell)) + of_field
     }
 
     /// Error of a curved cell that is seen in part, at its silhouette or the horizon.
-    fn border(&self, cell: &Cell) -> f64 {
+    fn border(&self, cell: &Cell, field: &Field) -> f64 {
         let facing = |tangent: &Plane| {
             (self.receiver.position - tangent.point).normalize_or_zero().dot(tangent.normal)
         };
@@ -292,7 +305,7 @@ impl Traversal<'_> {
             return 0.0;
         }
         let distance = self.distance(cell);
-        SILHOUETTE_ERROR * cell.brightness * high * cell.area() / (PI * distance * distance)
+        SILHOUETTE_ERROR * field.brightness * high * cell.area() / (PI * distance * distance)
     }
 
     /// Weights of the Gauss rule with the kernel, without blockers.
@@ -348,15 +361,15 @@ impl Traversal<'_> {
 ///
 /// A square of even B seen face on has 0.0083 w⁴ = 2 · 72/4320 · (side/r)⁴, as ∂⁴κ/∂s⁴ = 72 κ for κ ∝
 /// (1 + s²)⁻². Both constants were measured when the rule was written, without a record.
-fn gauss_error(cell: &Cell, width: f64) -> f64 {
+fn gauss_error(field: &Field, width: f64) -> f64 {
     let square = width * width;
-    cell.brightness * 0.02 * square * square + cell.spread * 0.05 * square * width + cell.detail
+    field.brightness * 0.02 * square * square + field.spread * 0.05 * square * width + field.detail
 }
 
 /// Error over F of Lambert's formula with B̄ from the four points: ΔB min(1, 0.3 w²) + δB; 0.3 as in
 /// [`gauss_error`].
-fn lambert_error(cell: &Cell, width: f64) -> f64 {
-    cell.spread * (0.3 * width * width).min(1.0) + cell.detail
+fn lambert_error(field: &Field, width: f64) -> f64 {
+    field.spread * (0.3 * width * width).min(1.0) + field.detail
 }
 
 /// `weights` scaled to the sum `factor`; in proportion to area where all of them vanish.
