@@ -22,8 +22,8 @@ use radiosity_light::tolerances::DARK;
 use radiosity_visibility::Visibility;
 
 use crate::gather::met_light::{Ending, Held, MetLight};
-use crate::gather::ray_count::{FIRST, FIRST_OF_MANY, most_rays, most_walks};
-use crate::gather::ray_estimate::{Batches, Beside};
+use crate::gather::ray_count::{FIRST, FIRST_OF_MANY, FIRST_TOGETHER, most_rays, most_walks};
+use crate::gather::ray_estimate::{Batches, Beside, Sequences};
 use crate::gather::read_irradiance::ReadIrradiance;
 use crate::gather::receiver::Receiver;
 use crate::gather::receiver_rays::{Onward, ReceiverRays};
@@ -124,13 +124,13 @@ impl<'a> RayGather<'a> {
     /// All light of a receiver, by rays alone. It depends on nothing but the receiver.
     pub fn read(&self, origin: &Receiver) -> ReadIrradiance {
         let rays = ReceiverRays::all(&self.light, origin, self.beyond.onward(Held::READ));
-        self.gathered(&rays, FIRST, &vec![0.0; self.dark.len()])
+        self.gathered(&rays, Sequences::Independent, FIRST, &vec![0.0; self.dark.len()])
     }
 
     /// The reflected light of a receiver alone, accurate relative to this and the light `other` (W m⁻² per band).
     pub(super) fn reflected_alone(&self, origin: &Receiver, other: &[f64]) -> ReadIrradiance {
         let rays = ReceiverRays::reflected(&self.light, origin, self.beyond.onward(Held::READ));
-        self.gathered(&rays, FIRST, other)
+        self.gathered(&rays, Sequences::Independent, FIRST, other)
     }
 
     /// The reflected light of a point alone, one of many, in a narrow gap between the surfaces `own`, accurate relative
@@ -143,7 +143,7 @@ impl<'a> RayGather<'a> {
     ) -> ReadIrradiance {
         let origin = Receiver::Point(*receiver);
         let rays = ReceiverRays::reflected(&self.light, &origin, Onward::Walks(WalkEnds::OutOfGap(own)));
-        self.gathered(&rays, FIRST_OF_MANY, other)
+        self.gathered(&rays, Sequences::Independent, FIRST_OF_MANY, other)
     }
 
     /// The reflected light of a point alone, one of many, accurate relative to this and the light `other` (W m⁻²
@@ -152,7 +152,10 @@ impl<'a> RayGather<'a> {
         let beyond = if self.beyond == Beyond::Trusted { Beyond::Polynomials } else { self.beyond };
         let origin = Receiver::Point(*receiver);
         let rays = ReceiverRays::reflected(&self.light, &origin, beyond.onward(Held::BEHIND_PIXELS));
-        self.gathered(&rays, FIRST_OF_MANY, other)
+        match beyond {
+            Beyond::Polynomials => self.gathered(&rays, Sequences::OneAfterTheOther, FIRST_TOGETHER, other),
+            _ => self.gathered(&rays, Sequences::Independent, FIRST_OF_MANY, other),
+        }
     }
 
     /// Numbers of rays, of which `first` are sent before the error is looked at where they do not go on.
@@ -165,16 +168,22 @@ impl<'a> RayGather<'a> {
         }
     }
 
-    /// Light by these rays, of which `first` are sent at first; `other` light (W m⁻² per band) arrives too.
-    fn gathered(&self, rays: &ReceiverRays, first: u64, other: &[f64]) -> ReadIrradiance {
+    /// Light by these rays, of which `first` of each of the `sequences` are sent at first; `other` light (W m⁻² per
+    /// band) arrives too.
+    fn gathered(
+        &self,
+        rays: &ReceiverRays,
+        sequences: Sequences,
+        first: u64,
+        other: &[f64],
+    ) -> ReadIrradiance {
         let beside = Beside { scale: &self.light.scale, dark: &self.dark, other };
         let RayCounts { first, least, most } = self.counts(first);
         let number = rays.number();
-        let mut batches = Batches::of(self.dark.len());
+        let mut batches = Batches::of(sequences, self.dark.len());
         let mut count = first;
         loop {
-            batches
-                .send(count, |batch, indices, scores| rays.add(number.wrapping_add(batch), indices, scores));
+            batches.send(number, count, |number, indices, scores| rays.add(number, indices, scores));
             let estimate = batches.estimate(&beside);
             let is_enough = batches.sent() >= least && CAUTION * estimate.missed <= self.eps;
             if is_enough || batches.are_last(most) {
