@@ -7,8 +7,9 @@
 //! ```
 //!
 //! by n sequences of N rays with the means E_b. Parts of one sequence, one after the other, tell it too: together they
-//! are as even as one, and err by less than as many independent ones (`Sequences`). To it is added what one ray is worth, of something a quarter as bright
-//! as the scene on the whole, of the mean radiosity B: sequences may agree by chance.
+//! are as even as one, and err by less than as many independent ones (`Sequences`). To it is added what one ray is
+//! worth, of something a quarter as bright as the scene on the whole, of the mean radiosity B: sequences may agree by
+//! chance.
 
 use std::ops::Range;
 
