@@ -14,7 +14,8 @@
 //! in narrow gaps, light is gathered at the place itself. From half of that on the
 //! fits of both lattices are mixed, so that light has no steps where one takes over. In the dark more is allowed, as
 //! eyes and pictures do. Nodes are shared by all places, whatever shows them: pixels, their samples,
-//! texels. Their number grows with the detail of the light, not with that of the places.
+//! texels. Their number grows with the detail of the light, not with that of the places. Where a lattice of a surface
+//! wants more new nodes than there are places on it, as on small parts, light is gathered at these too.
 //!
 //! References: G. Ward, F. Rubinstein, R. Clear, *A ray tracing solution for diffuse interreflection*, SIGGRAPH
 //! 1988 (interpolation of indirect light between points that are kept; there by the distances of what is seen,
@@ -27,7 +28,7 @@ mod lattice;
 pub(crate) mod spot;
 pub(crate) mod spot_gatherer;
 
-use std::collections::HashMap;
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 use radiosity_work::ranks::PartName;
 use radiosity_work::{Stage, Work};
@@ -144,8 +145,18 @@ impl<'a> LightField<'a> {
         self.gatherer.prepare(places.iter().flatten().map(|asked| asked.seen.place.surface));
         let mut level = 0;
         while !open.is_empty() {
-            let asked = |index: usize| places[open[index].place].as_ref();
-            self.compute(level, (0..open.len()).filter_map(asked), work);
+            let asked_by = |open: &OpenPlace| places[open.place].as_ref();
+            let mut wanted = self.wanted(level, open.iter().filter_map(asked_by));
+            let sparse = sparse(&wanted, open.iter().filter_map(asked_by));
+            let is_sparse = |surface: usize| sparse.contains(&surface);
+            wanted.retain(|node| !is_sparse(node.surface));
+            let (few, others): (Vec<OpenPlace>, Vec<OpenPlace>) = open
+                .into_iter()
+                .partition(|open| asked_by(open).is_some_and(|asked| is_sparse(asked.seen.place.surface)));
+            alone.extend(few);
+            open = others;
+            self.compute(wanted, work);
+            let asked = |index: usize| asked_by(&open[index]);
             let fit =
                 |index: usize| asked(index).map_or(FittedLight::Finer, |asked| self.fitted(asked, level));
             let found: Vec<FittedLight> =
@@ -209,13 +220,18 @@ impl<'a> LightField<'a> {
         lights
     }
 
-    /// Computes the light of the nodes of a lattice about these places that is not known yet.
-    fn compute<'b>(&mut self, level: u32, places: impl Iterator<Item = &'b AskedPlace>, work: &Work<'_>) {
+    /// The nodes of a lattice about these places that were not asked for yet, in order.
+    fn wanted<'b>(&self, level: u32, places: impl Iterator<Item = &'b AskedPlace>) -> Vec<NodeIndex> {
         let about = |asked: &AskedPlace| self.lattice(asked).about(asked.seen.place.parameters, level);
         let mut wanted: Vec<NodeIndex> = places.flat_map(about).collect();
         wanted.sort_unstable();
         wanted.dedup();
         wanted.retain(|node| !self.nodes.contains_key(node));
+        wanted
+    }
+
+    /// Computes the light of these nodes.
+    fn compute(&mut self, wanted: Vec<NodeIndex>, work: &Work<'_>) {
         let spots: Vec<Spot> = wanted.iter().copied().map(Spot::Node).collect();
         let computed = match &mut self.source {
             Some(source) => source.spots(&spots, work),
@@ -283,6 +299,16 @@ impl<'a> LightField<'a> {
         }
         fit
     }
+}
+
+/// Surfaces on which more nodes are wanted than there are places.
+fn sparse<'a>(wanted: &[NodeIndex], places: impl Iterator<Item = &'a AskedPlace>) -> BTreeSet<usize> {
+    let mut spare: BTreeMap<usize, isize> = BTreeMap::new();
+    wanted.iter().for_each(|node| *spare.entry(node.surface).or_default() -= 1);
+    places.for_each(|asked| {
+        spare.entry(asked.seen.place.surface).and_modify(|spare| *spare += 1);
+    });
+    spare.into_iter().filter(|(_, spare)| *spare < 0).map(|(surface, _)| surface).collect()
 }
 
 /// The offset of a place in the tangent plane of another (scene length).

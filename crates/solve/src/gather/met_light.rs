@@ -14,6 +14,7 @@ use radiosity_elements::sampling::shift::number_of;
 use radiosity_light::lamps::Target;
 use radiosity_light::receiver_point::ReceiverPoint;
 use radiosity_visibility::Visibility;
+use smallvec::{SmallVec, smallvec};
 
 use crate::gather::bends::{Part, SentLight, bends};
 use crate::gather::flat_lamps::FlatLamps;
@@ -26,6 +27,9 @@ use crate::solution::{Solution, SurfacePlace};
 /// Distance of an emitter, in its radii, within which polynomials say more of its light than one ray.
 /// Measured in a shop with tubes: with 2 and 1 the readings took more rays, and erred more.
 const NEAR: f64 = 4.0;
+
+/// Bands whose light takes no memory of its own for a ray: red, green and blue, and one more.
+const FEW_BANDS: usize = 4;
 
 /// The light of a solution as rays meet it, which all who gather it by rays share.
 #[derive(Debug)]
@@ -193,15 +197,15 @@ impl<'a> MetLight<'a> {
         there: &dyn Fn() -> ReceiverPoint,
         distance: f64,
         end_light: EndLight,
-    ) -> Vec<f64> {
-        let mut irradiance = vec![0.0; self.sent.bands().len()];
+    ) -> SmallVec<[f64; FEW_BANDS]> {
+        let mut irradiance = smallvec![0.0; self.sent.bands().len()];
         match end_light {
-            EndLight::Polynomials => self.add_held(element, place, &mut irradiance),
+            EndLight::Polynomials => self.hold(element, place, &mut irradiance),
             EndLight::Direct { chance, held } => {
                 if self.is_held(element, &there(), distance, held) {
-                    self.add_held(element, place, &mut irradiance);
+                    self.hold(element, place, &mut irradiance);
                 } else {
-                    self.add_reflected(element, place, 1.0, &mut irradiance);
+                    self.hold_reflected(element, place, &mut irradiance);
                     let by_cells = || self.lit_cells.at(self.sent, &self.rays, element, place, distance);
                     match if held.cells { by_cells() } else { None } {
                         Some(lit) => irradiance.iter_mut().zip(lit).for_each(|(sum, lit)| *sum += lit),
@@ -224,18 +228,16 @@ impl<'a> MetLight<'a> {
                 || self.rays.lamps.is_near(there, NEAR))
     }
 
-    /// Adds the polynomials E_h ≥ 0 of all light.
-    fn add_held(&self, element: usize, place: &SurfacePlace, irradiance: &mut [f64]) {
-        let mut held = vec![0.0; irradiance.len()];
-        self.sent.irradiance_bands(element, place, &mut held);
-        irradiance.iter_mut().zip(held).for_each(|(sum, held)| *sum += held.max(0.0));
+    /// Puts the polynomials E_h ≥ 0 of all light into `irradiance` (W m⁻² per band).
+    fn hold(&self, element: usize, place: &SurfacePlace, irradiance: &mut [f64]) {
+        self.sent.irradiance_bands(element, place, irradiance);
+        irradiance.iter_mut().for_each(|held| *held = held.max(0.0));
     }
 
-    /// Adds `factor` times the polynomials S_h ≥ 0 of reflected light.
-    fn add_reflected(&self, element: usize, place: &SurfacePlace, factor: f64, irradiance: &mut [f64]) {
-        let mut held = vec![0.0; irradiance.len()];
-        self.sent.indirect_bands(element, place, &mut held);
-        irradiance.iter_mut().zip(held).for_each(|(sum, held)| *sum += factor * held.max(0.0));
+    /// Puts the polynomials S_h ≥ 0 of reflected light into `irradiance` (W m⁻² per band).
+    fn hold_reflected(&self, element: usize, place: &SurfacePlace, irradiance: &mut [f64]) {
+        self.sent.indirect_bands(element, place, irradiance);
+        irradiance.iter_mut().for_each(|held| *held = held.max(0.0));
     }
 
     /// Adds an estimate of the direct light by one ray to an emitter, and one to a luminaire.

@@ -26,6 +26,10 @@ pub(super) const FIRST_OF_CELLS: u64 = 16;
 /// Rays of each sequence to emitters that are far from a patch before the error is first looked at. Chosen.
 pub(super) const FIRST_TO_FAR: u64 = 16;
 
+/// As [`FIRST_OF_MANY`] where all are parts of one sequence. Measured in an office of 160 × 120 pixels: with 32, 16 and
+/// 8 a picture took 4.6, 3.6 and 3.6 million rays and erred by 1.04, 1.07 and 1.12 %.
+pub(super) const FIRST_TOGETHER: u64 = 16;
+
 /// Noise of a walk, over the light that is read, up to which walks reach what is asked for. Measured: up to 2 in
 /// rooms.
 const NOISE: f64 = 8.0;

@@ -27,9 +27,9 @@ use radiosity_visibility::Visibility;
 use crate::gather::flat_lamps::FarLamps;
 use crate::gather::met_light::{Ending, Held, MetLight};
 use crate::gather::ray_count::{
-    FIRST, FIRST_OF_CELLS, FIRST_OF_MANY, FIRST_TO_FAR, most_rays, most_walks, usual_rays,
+    FIRST, FIRST_OF_CELLS, FIRST_OF_MANY, FIRST_TO_FAR, FIRST_TOGETHER, most_rays, most_walks, usual_rays,
 };
-use crate::gather::ray_estimate::{BandLight, Batches, Beside, Estimate};
+use crate::gather::ray_estimate::{BandLight, Batches, Beside, Estimate, Sequences};
 use crate::gather::read_irradiance::ReadIrradiance;
 use crate::gather::receiver::Receiver;
 use crate::gather::receiver_rays::{Onward, ReceiverRays};
@@ -94,6 +94,7 @@ pub struct RayGather<'a> {
 
 /// Wishes for a reading.
 struct Wanted<'s> {
+    sequences: Sequences,
     /// Cosine-distributed rays of each sequence that are sent at first.
     first: u64,
     /// Factor on the deviation where it decides that rays are enough.
@@ -168,8 +169,13 @@ impl<'a> RayGather<'a> {
         let rays = ReceiverRays::all(&self.light, origin, beyond.onward(held));
         let larger = |(usual, dark): (&f64, &f64)| dark.max(*usual);
         let dark: Vec<f64> = self.light.usual.iter().zip(&self.dark).map(larger).collect();
-        let wanted =
-            Wanted { first: FIRST_OF_CELLS, caution: CAUTION_OF_CELLS, least: FEW_MORE, dark: &dark };
+        let wanted = Wanted {
+            sequences: Sequences::Independent,
+            first: FIRST_OF_CELLS,
+            caution: CAUTION_OF_CELLS,
+            least: FEW_MORE,
+            dark: &dark,
+        };
         let mut read = self.gathered(&rays, &wanted, &vec![0.0; dark.len()]);
         if self.beyond != Beyond::Walked {
             let is_dim = read.irradiance.iter().zip(&dark).any(|(light, dark)| light < dark);
@@ -203,14 +209,20 @@ impl<'a> RayGather<'a> {
         let beyond = if self.beyond == Beyond::Trusted { Beyond::Polynomials } else { self.beyond };
         let origin = Receiver::Point(*receiver);
         let rays = ReceiverRays::reflected(&self.light, &origin, beyond.onward(Held::BEHIND_PIXELS));
-        self.gathered(&rays, &self.wanted(FIRST_OF_MANY), other)
+        match beyond {
+            Beyond::Polynomials => {
+                let sequences = Sequences::OneAfterTheOther;
+                self.gathered(&rays, &Wanted { sequences, ..self.wanted(FIRST_TOGETHER) }, other)
+            }
+            _ => self.gathered(&rays, &self.wanted(FIRST_OF_MANY), other),
+        }
     }
 
     /// As [`RayGather::reflected`], but polynomials are left where they are not trusted.
     pub(super) fn reflected_onward(&self, receiver: &ReceiverPoint, other: &[f64]) -> ReadIrradiance {
         let origin = Receiver::Point(*receiver);
         let rays = ReceiverRays::reflected(&self.light, &origin, self.beyond.onward(Held::READ));
-        self.gathered(&rays, FIRST_OF_MANY, other)
+        self.gathered(&rays, &self.wanted(FIRST_OF_MANY), other)
     }
 
     /// Numbers of rays, of which `first` are sent before the error is looked at where they do not go on.
@@ -225,26 +237,23 @@ impl<'a> RayGather<'a> {
 
     /// Wishes for a reading of which so many rays are sent at first.
     fn wanted(&self, first: u64) -> Wanted<'_> {
-        Wanted { first, caution: CAUTION, least: 1.0, dark: &self.dark }
+        Wanted { sequences: Sequences::Independent, first, caution: CAUTION, least: 1.0, dark: &self.dark }
     }
 
     /// Light by these rays, as it is `wanted`; `other` light (W m⁻² per band) arrives too. Further rays are sent of the
     /// kind that errs more: around, or to far emitters.
     fn gathered(&self, rays: &ReceiverRays, wanted: &Wanted, other: &[f64]) -> ReadIrradiance {
-        let Wanted { first, caution, least: least_more, dark } = *wanted;
+        let Wanted { sequences, first, caution, least: least_more, dark } = *wanted;
         let bands = dark.len();
         let beside = Beside { scale: &self.light.scale, dark, other };
         let RayCounts { first, least, most } = self.counts(first);
         let number = rays.number();
-        let (mut around, mut to_far) = (Batches::of(bands), Batches::of(2 * bands));
+        let (mut around, mut to_far) = (Batches::of(sequences, bands), Batches::of(sequences, 2 * bands));
         let send_around = |around: &mut Batches, count: u64| {
-            around
-                .send(count, |batch, indices, scores| rays.add(number.wrapping_add(batch), indices, scores));
+            around.send(number, count, |number, indices, scores| rays.add(number, indices, scores));
         };
         let send_far = |to_far: &mut Batches, far: &FarLamps, count: u64| {
-            to_far.send(count, |batch, indices, scores| {
-                rays.add_far(far, number.wrapping_add(batch), indices, scores);
-            });
+            to_far.send(number, count, |number, indices, scores| rays.add_far(far, number, indices, scores));
         };
         send_around(&mut around, first);
         let far = rays.far();
