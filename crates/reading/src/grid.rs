@@ -32,6 +32,7 @@ use radiosity_work::ranks::{PartName, vector};
 use radiosity_work::{Stage, Work};
 use serde::{Deserialize, Serialize};
 
+use crate::cell_counts::CellCounts;
 use crate::reader::{Reader, RecomputedLight};
 
 /// Means over one cell of one surface.
@@ -79,26 +80,39 @@ impl Default for Rates {
 /// ones to be done must not wait for one thread.
 const AT_ONCE: usize = 8;
 
-/// The means over `cells` = [along u, along v] of every surface, v fastest.
+/// A cell that is to be read.
+struct CellPlace {
+    surface: usize,
+    index: [usize; 2],
+    rect: Rect,
+}
+
+/// The means over `cells` of every surface, v fastest.
 ///
 /// Cells without area are left out.
-pub fn grid(reader: &Reader, cells: [usize; 2], rates: Rates, work: &Work<'_>) -> Vec<Cell> {
+pub fn grid(reader: &Reader, cells: impl Into<CellCounts>, rates: Rates, work: &Work<'_>) -> Vec<Cell> {
+    let cells = cells.into();
     let surfaces = reader.solution().elements().surfaces();
     let outlines: Vec<Option<Vec<Vec<DVec3>>>> =
         (0..surfaces).map(|surface| outline(reader.solution().elements().shape(surface))).collect();
-    let rects: Vec<Rect> = cells_of(cells).collect();
-    let (total, done) = (surfaces * rects.len(), AtomicUsize::new(0));
+    let of_surface = |surface: usize| {
+        let counts = cells.of(surface);
+        let index = move |k: usize| [k / counts[1], k % counts[1]];
+        cells_of(counts).enumerate().map(move |(k, rect)| CellPlace { surface, index: index(k), rect })
+    };
+    let places: Vec<CellPlace> = (0..surfaces).flat_map(of_surface).collect();
+    let (total, done) = (places.len(), AtomicUsize::new(0));
     let by = CellReader { reader, rates, count: total };
     let all = work.ranks.map_even(PartName::Cells, total, AT_ONCE, |place| {
-        let (surface, k) = (place / rects.len(), place % rects.len());
-        let integrals = Integrals::over(&by, surface, &rects[k]);
+        let CellPlace { surface, index, rect } = &places[place];
+        let integrals = Integrals::over(&by, *surface, rect);
         work.report_done(Stage::Cells, done.fetch_add(1, Ordering::Relaxed) + 1, total);
-        let shape = reader.solution().elements().shape(surface);
-        let area = outlines[surface]
+        let shape = reader.solution().elements().shape(*surface);
+        let area = outlines[*surface]
             .as_ref()
-            .map(|pieces| clip_to_cell(shape, pieces, &rects[k]).iter().map(|part| polygon_area(part)).sum());
-        let [u, v] = rects[k].center();
-        integrals.cell(surface, [k / cells[1], k % cells[1]], shape.jet(u, v).position, area)
+            .map(|pieces| clip_to_cell(shape, pieces, rect).iter().map(|part| polygon_area(part)).sum());
+        let [u, v] = rect.center();
+        integrals.cell(*surface, *index, shape.jet(u, v).position, area)
     });
     all.into_iter().filter(|cell| cell.area > 0.0).collect()
 }

@@ -17,6 +17,7 @@ pub mod quantity;
 pub mod exposure;
 pub mod difference;
 pub mod reader;
+pub mod cell_counts;
 pub mod grid;
 pub mod probe;
 pub mod read_error;

@@ -35,8 +35,8 @@ pub(crate) struct ReportPageArgs {
     #[arg(long = "plane", value_name = "PLANE", allow_hyphen_values = true)]
     pub(crate) plane: Vec<String>,
 
-    /// Cells along u and v of every surface for least and greatest values [default: 8x8, fewer of many
-    /// surfaces]
+    /// Cells along u and v of every surface for least and greatest values [default: of about
+    /// one size, 8x8 at the most]
     #[arg(long, value_name = "NxM", value_parser = counts)]
     pub(crate) cells: Option<[u32; 2]>,
 

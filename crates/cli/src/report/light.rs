@@ -4,6 +4,7 @@ use radiosity_output::documents::plan_page::plan_page;
 use radiosity_output::documents::report_page::{LightPart, PICTURE, ReportedPlane, plan_name};
 use radiosity_output::drawings::picture::Picture;
 use radiosity_output::pictures::image::Image;
+use radiosity_reading::cell_counts::CellCounts;
 use radiosity_reading::checked_readings::{CheckedReadings, PrintedReading};
 use radiosity_reading::grid::grid;
 use radiosity_reading::own_error::OwnError;
@@ -25,10 +26,10 @@ use crate::{
     colours::ColourArgs, error::CliError, loaded::Loaded, planes::plane, run::Run, sensors::Sensors,
 };
 
-/// Cells along each side of a surface, and most cells of all. Chosen: seconds in rooms of a thousand
-/// surfaces.
+/// Most cells along each side of a surface, and about as many as all surfaces have beyond one each. Chosen: cells of
+/// half a metre in an office.
 const SIDE: usize = 8;
-const MOST: usize = 20_000;
+const ABOUT: usize = 2000;
 
 /// Light that a report shows: picture, sensors and cells.
 #[derive(Debug)]
@@ -36,7 +37,8 @@ pub(super) struct ReportLight<'a> {
     camera: Option<Camera>,
     sensors: Sensors,
     band: Option<usize>,
-    cells: [usize; 2],
+    /// Cells along u and v of every surface; none where they are of one size.
+    cells: Option<[usize; 2]>,
     colours: &'a ColourArgs,
 }
 
@@ -63,8 +65,7 @@ impl<'a> ReportLight<'a> {
                 planes.push(typed);
             }
         }
-        let side = (MOST / scene.surfaces.len().max(1)).isqrt().clamp(1, SIDE);
-        let cells = args.cells.map_or([side; 2], |cells| cells.map(|count| count as usize));
+        let cells = args.cells.map(|cells| cells.map(|count| count as usize));
         let band = args.colours.band(scene)?;
         Ok(Self { camera, sensors: Sensors::Planes(planes), band, cells, colours: &args.colours })
     }
@@ -85,10 +86,12 @@ impl<'a> ReportLight<'a> {
         let mut run = Run::solve(loaded, &args.run, ranks)?;
         let reading = args.read.reading(&args.run.method, &run.solved, run.is_saved());
         let Solved { scene, outcome, .. } = &run.solved;
+        let by_size = || CellCounts::by_size(outcome.solution.elements(), ABOUT, SIDE);
+        let counts = self.cells.map_or_else(by_size, CellCounts::from);
         let (sensed, cells) = run.in_threads(|| {
             let (reader, work) = (run.reader(&reading), run.work());
             let sensed = probe(&reader, &self.sensors.probes(), scene.middle, &work);
-            (sensed, grid(&reader, self.cells, reading.rates, &work))
+            (sensed, grid(&reader, counts.clone(), reading.rates, &work))
         })?;
         let sensed = sensed.map_err(|(index, fault)| self.sensors.unreadable(index, fault))?;
         let picture = self.camera.as_ref().map(|camera| picture(&run, camera)).transpose()?;
@@ -100,7 +103,10 @@ impl<'a> ReportLight<'a> {
                 let plane = self.sensors.plane_of(number).map(SensorPlane::name);
                 PrintedReading::of_probe(reading, scene, &own, plane)
             }
-            None => PrintedReading::of_cell(&cells[number - sensed.len()], self.cells, scene, &own),
+            None => {
+                let cell = &cells[number - sensed.len()];
+                PrintedReading::of_cell(cell, counts.of(cell.surface), scene, &own)
+            }
         };
         let count = sensed.len() + cells.len();
         let checked = run.check(count, printed, run.seconds_to_read(&reading, count))?;

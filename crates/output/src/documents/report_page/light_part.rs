@@ -30,8 +30,8 @@ pub struct LightPart<'a> {
     pub picture: Option<Picture>,
     /// The planes, in the order of the report's.
     pub plans: Vec<ReportedPlane<'a>>,
-    /// Cells along u and v of each surface.
-    pub cells: [usize; 2],
+    /// Cells along u and v of each surface; none where cells are of one size.
+    pub cells: Option<[usize; 2]>,
     /// The light of the surfaces.
     pub surfaces: Vec<SurfaceLight>,
 }

@@ -12,12 +12,18 @@ use radiosity_work::digits::{column, significant};
 /// Most rows of a table. Chosen: some ten pages.
 const MOST: usize = 400;
 
+/// Rows of a table up to which every surface has one. Chosen: a page.
+const PAGE: usize = 40;
+
+/// Part of the light that the listed surfaces of larger scenes receive. Chosen.
+const LISTED: f64 = 0.99;
+
 /// Most bands that have columns of their own. Chosen: what fits across a page.
 const FEW: usize = 4;
 
 pub(super) fn blocks(scene: &Scene, light: &LightPart) -> Vec<Block> {
     let listed = listed(&light.surfaces);
-    let [n, m] = light.cells;
+    let cells = light.cells.map_or_else(String::new, |[n, m]| format!("{n} × {m} "));
     let quantity = Quantity::Irradiance.name(&scene.unit);
     let several = if scene.bands.len() > 1 {
         " Irradiance is the mean of the bands, powers are their sum."
@@ -28,16 +34,17 @@ pub(super) fn blocks(scene: &Scene, light: &LightPart) -> Vec<Block> {
     let mut blocks = vec![
         Block::Heading("Surfaces".to_owned()),
         Block::Text(format!(
-            "Means of the {quantity} over each surface, the least and the greatest mean over one of its {n} × {m} cells, and \
+            "Means of the {quantity} over each surface, the least and the greatest mean over one of its {cells}cells, and \
              powers that arrive, are absorbed and are emitted.{several} Areas and powers are in m² and {unit} where lengths \
              are metres."
         )),
     ];
     if listed.len() < light.surfaces.len() {
         blocks.push(Block::Text(format!(
-            "The {} surfaces that receive most of {} are listed; `radiosity grid` has all.",
+            "The {} surfaces that receive most are listed; {} others receive {:.1} % in all, and `radiosity grid` has them.",
             listed.len(),
-            light.surfaces.len()
+            light.surfaces.len() - listed.len(),
+            100.0 * (1.0 - received(listed.iter().copied()) / received(light.surfaces.iter()))
         )));
     }
     blocks.push(Block::Table(powers(scene, &light.surfaces, &listed)));
@@ -51,13 +58,25 @@ pub(super) fn blocks(scene: &Scene, light: &LightPart) -> Vec<Block> {
     blocks
 }
 
-/// The surfaces with rows of their own, in the scene's order: all, or those that receive most.
+/// The surfaces with rows of their own, in the scene's order: all on a page, or those that receive most of the light.
 fn listed(surfaces: &[SurfaceLight]) -> Vec<&SurfaceLight> {
     let mut listed: Vec<&SurfaceLight> = surfaces.iter().collect();
     listed.sort_by(|a, b| sum(&b.received).total_cmp(&sum(&a.received)));
-    listed.truncate(MOST);
+    let (all, mut so_far) = (received(surfaces.iter()), 0.0);
+    let is_small = |own: &&SurfaceLight| {
+        let has_enough = so_far >= LISTED * all;
+        so_far += sum(&own.received);
+        has_enough
+    };
+    let large = listed.iter().position(is_small).unwrap_or(listed.len());
+    listed.truncate(large.clamp(PAGE, MOST));
     listed.sort_by_key(|own| own.surface);
     listed
+}
+
+/// Power that these surfaces receive, all bands together.
+fn received<'a>(surfaces: impl Iterator<Item = &'a SurfaceLight>) -> f64 {
+    surfaces.map(|own| sum(&own.received)).sum()
 }
 
 fn sum(values: &[f64]) -> f64 {
