@@ -273,7 +273,8 @@ impl Light {
         let asked = self.asked(&mut given, &request)?;
         given.finish("grid")?;
         let scene = self.found.scene();
-        require_cells(sides, scene, memory, Ranks::alone()).map_err(Trouble::from)?;
+        require_cells(sides[0] * sides[1] * scene.surfaces.len(), scene, memory, Ranks::alone())
+            .map_err(Trouble::from)?;
         let told =
             self.read(py, observer.as_ref(), asked.threads, |progress| self.cells(&asked, sides, progress))?;
         warn_of_rays(py, told.readings.iter().map(|cell| cell.deviation), asked.how.eps)?;

@@ -2,6 +2,7 @@
 
 use clap::Args;
 use radiosity_output::table::{Column, Table, Value};
+use radiosity_reading::cell_counts::CellCounts;
 use radiosity_reading::checked_readings::{CheckedReadings, PrintedReading};
 use radiosity_reading::grid::{Cell, Rates, grid};
 use radiosity_reading::own_error::OwnError;
@@ -33,9 +34,10 @@ pub(crate) struct GridArgs {
     #[command(flatten)]
     pub(crate) scene: SceneArg,
 
-    /// Cells of equal parameter size along u and v of every surface
-    #[arg(long, value_name = "NxM", default_value = "16x16", value_parser = counts)]
-    pub(crate) cells: [u32; 2],
+    /// Cells of equal parameter size along u and v of every surface [default: 16x16, or where these were more than
+    /// 5000 cells of about one size]
+    #[arg(long, value_name = "NxM", value_parser = counts)]
+    pub(crate) cells: Option<[u32; 2]>,
 
     #[command(flatten)]
     pub(crate) read: ReadRequest,
@@ -61,23 +63,27 @@ impl GridArgs {
 
 /// Solves the scene and prints the means.
 pub(crate) fn run(args: &GridArgs, loaded: Loaded, ranks: &Ranks) -> Result<(), CliError> {
-    let sides = args.cells.map(|count| count as usize);
     let method = &args.run.method;
-    require_cells(sides, loaded.scene(), method.memory, ranks)?;
+    let cells = args.cells.map(|cells| cells.map(|count| count as usize));
+    let counts = cells.map_or_else(|| CellCounts::usual(loaded.scene()), CellCounts::from);
+    let readings = counts.total(loaded.scene().surfaces.len());
+    require_cells(readings, loaded.scene(), method.memory, ranks)?;
     let request = args.request();
     request.check(&loaded.options(method, ranks), method)?;
     let data = args.data.reserve(&loaded, &args.run.report, ranks, Ok)?;
     let goal = wanted(method, loaded.scene(), ranks)?;
-    let readings = sides[0] * sides[1] * loaded.scene().surfaces.len();
     let by = args.read.read_by.unwrap_or_default();
     let goal = goal.map(|goal| goal.read_by(by).for_readings(readings));
     let mut run = Run::to(goal, loaded, &args.run, ranks)?;
     let reading = request.reading(method, &run.solved, run.is_saved());
-    let read = || grid(&run.reader(&reading), sides, reading.rates, &run.work());
+    let read = || grid(&run.reader(&reading), counts.clone(), reading.rates, &run.work());
     let cells = run.in_threads(read)?;
     let scene = &run.solved.scene;
     let own = OwnError::of(&run.solved, &reading);
-    let printed = |number: usize| PrintedReading::of_cell(&cells[number], sides, scene, &own);
+    let printed = |number: usize| {
+        let cell = &cells[number];
+        PrintedReading::of_cell(cell, counts.of(cell.surface), scene, &own)
+    };
     let checked = run.check(cells.len(), printed, run.seconds_to_read(&reading, cells.len()))?;
     let estimates = cells.iter().map(|cell| own.of_reading(&cell.irradiance, cell.deviation));
     let errors = CheckedReadings::all_told(checked.as_ref(), estimates);

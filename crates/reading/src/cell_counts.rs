@@ -1,7 +1,7 @@
 //! Numbers of cells that surfaces are cut into.
 
-use radiosity_elements::Elements;
 use radiosity_geom::Surface;
+use radiosity_scene::Scene;
 
 /// Cells along u and v of each surface.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -12,21 +12,40 @@ pub enum CellCounts {
     Each(Vec<[usize; 2]>),
 }
 
+/// Cells along u and v of the surfaces of small scenes, and most along either elsewhere.
+const SIDE: usize = 16;
+
+/// Cells of all surfaces of larger scenes, about, besides one of each. Chosen: seconds.
+const ABOUT: usize = 5000;
+
 /// Parts of a line of parameters by which its length is found. Chosen: enough for a closed line.
 const PARTS: usize = 8;
 
 impl CellCounts {
-    /// Cells of about one size on all surfaces: the square root of the area of all over `about`, but at most `side`
-    /// along u or v.
-    pub fn by_size(elements: &Elements, about: usize, side: usize) -> Self {
-        let surfaces = 0..elements.surfaces();
-        let area: f64 = surfaces.clone().map(|surface| elements.shape(surface).area()).sum();
+    /// 16 × 16 of every surface, or cells of about one size where these were more than about 5000.
+    pub fn usual(scene: &Scene) -> Self {
+        match scene.surfaces.len() * SIDE * SIDE <= ABOUT {
+            true => Self::Even([SIDE; 2]),
+            false => Self::by_size(scene, ABOUT, SIDE),
+        }
+    }
+
+    /// Cells of about one size on all surfaces: their sides are the square root of the area of all over `about`, and a
+    /// surface has at most `most` along u or v.
+    pub fn by_size(scene: &Scene, about: usize, most: usize) -> Self {
+        let shapes = || scene.surfaces.iter().map(|surface| surface.shape.as_ref());
+        let area: f64 = shapes().map(Surface::area).sum();
         let length = (area / about as f64).sqrt();
-        let counts = |surface: usize| {
-            let count = |of: f64| ((of / length).round() as usize).clamp(1, side);
-            middle_lines(elements.shape(surface)).map(count)
+        let counts = |shape: &dyn Surface| {
+            let count = |of: f64| ((of / length).round() as usize).clamp(1, most);
+            middle_lines(shape).map(count)
         };
-        Self::Each(surfaces.map(counts).collect())
+        Self::Each(shapes().map(counts).collect())
+    }
+
+    /// Cells of so many surfaces.
+    pub fn total(&self, surfaces: usize) -> usize {
+        (0..surfaces).map(|surface| self.of(surface)).map(|[u, v]| u * v).sum()
     }
 
     /// Cells of a surface.

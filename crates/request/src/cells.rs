@@ -13,18 +13,16 @@ use super::refusal::Refusal;
 const CELL: u64 = 140;
 const BAND: u64 = 85;
 
-/// Refuses so many cells along u and v of every surface for which there is no room in the memory that is
-/// `allowed`, or usable.
+/// Refuses so many cells of a scene for which there is no room in the memory that is `allowed`, or usable.
 ///
 /// # Errors
 /// Where there is no room.
 pub fn require_cells(
-    sides: [usize; 2],
+    cells: usize,
     scene: &Scene,
     allowed: Option<Bytes>,
     ranks: &Ranks,
 ) -> Result<(), Refusal> {
-    let cells = (sides[0] * sides[1] * scene.surfaces.len()) as u64;
-    let needed = cells * (CELL + BAND * scene.bands.len() as u64);
+    let needed = cells as u64 * (CELL + BAND * scene.bands.len() as u64);
     memory::require(needed, allowed, "the cells", words("ask for fewer with ") + option("cells"), ranks)
 }

@@ -86,7 +86,7 @@ impl<'a> ReportLight<'a> {
         let mut run = Run::solve(loaded, &args.run, ranks)?;
         let reading = args.read.reading(&args.run.method, &run.solved, run.is_saved());
         let Solved { scene, outcome, .. } = &run.solved;
-        let by_size = || CellCounts::by_size(outcome.solution.elements(), ABOUT, SIDE);
+        let by_size = || CellCounts::by_size(scene, ABOUT, SIDE);
         let counts = self.cells.map_or_else(by_size, CellCounts::from);
         let (sensed, cells) = run.in_threads(|| {
             let (reader, work) = (run.reader(&reading), run.work());
