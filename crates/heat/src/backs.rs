@@ -5,15 +5,16 @@
 //! rays of Lambert's law tell that leave either side of every surface: a back that all of them miss takes less than
 //! about 3/n of the sight of any side.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashSet};
 use std::sync::Arc;
 
 use radiosity_elements::patch::{Node, Patch};
 use radiosity_elements::sampling::area_preserving_map::AreaPreservingMap;
 use radiosity_elements::sampling::kronecker;
 use radiosity_elements::sampling::lambert::lambert;
-use radiosity_geom::{RayTree, Rect, Surface};
+use radiosity_geom::{DVec3, PlanarRegion, RayTree, Rect, Surface};
 use radiosity_scene::{BackCondition, Scene};
+use radiosity_visibility::footprints::{Footprint, footprints};
 use rayon::prelude::*;
 
 /// Rays that leave each side in a scene of few surfaces. Chosen: what they miss takes less than .3 % of the sight.
@@ -76,6 +77,8 @@ fn reached(scene: &Scene, one_sided: &[usize]) -> Vec<bool> {
 
 /// The surfaces of a scene, for rays between their sides.
 struct Sight {
+    /// Parts of each surface on which bodies stand, which exchange nothing.
+    covered: Vec<Vec<PlanarRegion>>,
     shapes: Vec<Arc<dyn Surface>>,
     /// Whether each is of one side.
     has_back: Vec<bool>,
@@ -91,7 +94,16 @@ impl Sight {
         let sides = 2 * shapes.len().max(1) as u64;
         let mut has_back = vec![false; shapes.len()];
         one_sided.iter().for_each(|surface| has_back[*surface] = true);
+        // The back of what lies on another surface has no view.
+        let lying: HashSet<&str> = scene.fitted.lying.iter().map(|own| own.surface.as_str()).collect();
+        let names = scene.surfaces.iter().map(|surface| surface.name.as_str());
+        has_back.iter_mut().zip(names).for_each(|(has_back, name)| *has_back &= !lying.contains(name));
+        let mut covered = vec![Vec::new(); shapes.len()];
+        for Footprint { surface, region, .. } in footprints(scene) {
+            covered[surface].push(region);
+        }
         Self {
+            covered,
             has_back,
             tree: RayTree::new(shapes.clone()),
             rays: (ALL_RAYS / sides).clamp(LEAST_RAYS, RAYS),
@@ -112,6 +124,11 @@ impl Sight {
         rays.into_iter().filter(|(_, rays)| *rays >= LEAST_MET).map(|(pair, _)| pair).collect()
     }
 
+    /// Whether a body stands on a place of a surface.
+    fn is_covered(&self, surface: usize, place: DVec3) -> bool {
+        self.covered[surface].iter().any(|region| region.contains(place))
+    }
+
     /// This side of a surface and what each of its rays met, where one of them is a back.
     fn met(&self, surface: usize, side: Side) -> Vec<[Side; 2]> {
         let shape = &self.shapes[surface];
@@ -121,7 +138,12 @@ impl Sight {
             let [s, t, polar, turn] = kronecker::point(ray);
             let Node { position, normal, .. } = points.point([s, t]).node;
             let normal = if side == Side::Front { normal } else { -normal };
-            let met = self.tree.nearest_from(surface, position, lambert(normal, [polar, turn]))?;
+            let along = lambert(normal, [polar, turn]);
+            let met = self.tree.nearest_from(surface, position, along)?;
+            let end = position + met.hit.t * along;
+            if self.is_covered(surface, position) || self.is_covered(met.surface, end) {
+                return None;
+            }
             let other = match met.front {
                 true => Side::Front,
                 false if self.has_back[met.surface] => Side::Back(met.surface),

@@ -60,6 +60,10 @@ use figures::{add_errors, add_errors_of_blocks, difference, figures};
 use forecast::Forecast;
 use roles::Roles;
 
+/// Largest share of what surfaces exchange that may leave a scene that counts as closed, however large the errors are.
+/// Chosen.
+const CLOSED: f64 = 1e-3;
+
 /// Rounding of the sum of flows over what surfaces exchange: 2⁻⁵² times some thousand terms.
 const ROUNDING: f64 = 1e-12;
 
@@ -194,11 +198,13 @@ impl Heat {
         Ok(())
     }
 
-    /// Whether no heat leaves the scene, as far as is known: the flows sum to 0 within their errors.
+    /// Whether no heat leaves the scene, as far as is known: the flows sum to 0 within their errors, and to less than a
+    /// thousandth of what surfaces exchange.
     pub fn is_closed(&self) -> bool {
         let exchanged = |own: &SurfaceHeat| own.area * own.radiosity.max(own.irradiance);
-        let rounding = ROUNDING * self.surfaces.iter().map(exchanged).sum::<f64>();
-        self.lost.abs() <= rounding + self.surfaces.iter().map(|own| own.flow_error).sum::<f64>()
+        let exchanged = self.surfaces.iter().map(exchanged).sum::<f64>();
+        let errors = self.surfaces.iter().map(|own| own.flow_error).sum::<f64>();
+        self.lost.abs() <= ROUNDING * exchanged + errors.min(CLOSED * exchanged)
     }
 
     /// Names of the surfaces of `scene`, of which this is the balance, whose backs heat reaches and are adiabatic

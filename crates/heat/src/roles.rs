@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use radiosity_geom::DVec3;
+use radiosity_scene::backs::lie_together;
 use radiosity_scene::{Condition, Scene, SceneSurface};
 
 use super::error::HeatError;
@@ -90,19 +90,6 @@ fn emissivity(scene: &Scene, surface: &SceneSurface) -> Option<f64> {
     let is_grey = scene.bands.len() == 1 && surface.material.reflectance_pattern.is_none();
     let grey = || is_grey.then(|| 1.0 - surface.material.reflectance[0]);
     surface.thermal.emissivity.or_else(grey)
-}
-
-/// Whether two surfaces are sides of one sheet, to a millionth of its size.
-fn lie_together(a: &SceneSurface, b: &SceneSurface) -> bool {
-    let corners = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
-    let place = |surface: &SceneSurface, [u, v]: [f64; 2]| surface.shape.jet(u, v).position;
-    // The sides may be charted from different corners.
-    let [a_middle, b_middle] = [a, b].map(|surface| {
-        corners.iter().map(|corner| place(surface, *corner)).sum::<DVec3>() / corners.len() as f64
-    });
-    let [a_area, b_area] = [a, b].map(|surface| surface.shape.area());
-    let near = 1e-6 * a_area.sqrt();
-    a_middle.distance(b_middle) <= near && (a_area - b_area).abs() <= 1e-6 * a_area
 }
 
 /// The two-sided surfaces of known flux: two fronts back to back, of one condition, which two materials may

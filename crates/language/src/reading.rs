@@ -93,7 +93,7 @@ fn foreign(name: &str) -> Option<&'static str> {
         "dxf" | "dwg" | "step" | "stp" | "iges" | "igs" | "fcstd" => {
             "export its faces as .obj or .stl: FreeCAD does"
         }
-        "fbx" | "dae" | "3ds" | "blend" | "max" | "skp" | "usd" | "usda" | "usdc" | "usdz" | "abc" => {
+        "fbx" | "dae" | "3ds" | "blend" | "skp" | "usd" | "usda" | "usdc" | "usdz" => {
             "export it as .glb or .obj: Blender does"
         }
         _ => return None,

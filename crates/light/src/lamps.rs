@@ -92,9 +92,11 @@ impl Lamps {
         self.shares(|lamp| lamp.bound(receiver))
     }
 
-    /// The shares of emitters in the rays from a point, of those whose elements, by their indices, `are_wanted`.
-    pub fn seen_among(&self, receiver: &ReceiverPoint, are_wanted: impl Fn(usize) -> bool) -> Shares<'_> {
-        self.shares(|lamp| if are_wanted(lamp.element) { lamp.bound(receiver) } else { 0.0 })
+    /// The shares of emitters in the rays from a receiver, in proportion to the most that each sends to one of its
+    /// points, of those whose elements, by their indices, `are_wanted`.
+    pub fn seen_among(&self, points: &[ReceiverPoint], are_wanted: impl Fn(usize) -> bool) -> Shares<'_> {
+        let most = |lamp: &Lamp| points.iter().map(|point| lamp.bound(point)).fold(0.0, f64::max);
+        self.shares(|lamp| if are_wanted(lamp.element) { most(lamp) } else { 0.0 })
     }
 
     /// The shares of emitters in the rays from a point, of those whose brightness and form factor, if nothing hides

@@ -15,7 +15,7 @@ use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
 use radiosity_elements::sampling::shift::shift;
-use radiosity_geom::{Aabb, DVec3, Encounter, Rect};
+use radiosity_geom::{Aabb, DVec3, Encounter, Rect, distance_to_segment};
 use radiosity_scene::{Luminaire, Radiance, Scene, SceneSurface};
 use radiosity_visibility::Visibility;
 
@@ -219,6 +219,14 @@ impl PointLights {
     /// Where the luminaires are: the ends of each, which are one of a point.
     pub fn ends(&self) -> impl Iterator<Item = [DVec3; 2]> {
         self.list.iter().map(|light| [light.at(0.0), light.at(1.0)])
+    }
+
+    /// Whether a luminaire is within a distance (scene length) of a point.
+    pub fn is_within(&self, point: DVec3, distance: f64) -> bool {
+        self.ends().any(|[start, end]| match start == end {
+            true => point.distance(start) <= distance,
+            false => distance_to_segment(point, [start, end]) <= distance,
+        })
     }
 
     /// Their flux in a band (W).

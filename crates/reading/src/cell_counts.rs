@@ -8,7 +8,7 @@ use radiosity_scene::Scene;
 pub enum CellCounts {
     /// As many of every surface.
     Even([usize; 2]),
-    /// Those of each surface.
+    /// Counts of each surface.
     Each(Vec<[usize; 2]>),
 }
 

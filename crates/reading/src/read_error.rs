@@ -19,8 +19,8 @@ pub struct ReadError {
     pub rms: f64,
     /// Largest relative deviation.
     pub largest: f64,
-    /// Number of readings in narrow gaps, in shadow, and of less than 2 % of the scene's mean radiosity in a
-    /// band, which are left out: theirs are small relative to the light of the scene.
+    /// Number of readings that are left out, as theirs are small relative to the light of the scene: in narrow gaps, in
+    /// shadow, of less than 2 % of the scene's mean radiosity in a band, and of cells of less than its usual irradiance.
     pub dark: usize,
 }
 
@@ -56,7 +56,9 @@ impl fmt::Display for ReadError {
         write!(f, "light gathered by rays: standard deviation {rms} % of what is read, {largest} % at most")?;
         match self.dark {
             0 => Ok(()),
-            dark => write!(f, "; {dark} dark readings are known beside the light of the scene"),
+            dark => {
+                write!(f, "; {dark} readings in dim places are as well known beside the light of the scene")
+            }
         }
     }
 }

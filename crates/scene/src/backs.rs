@@ -3,10 +3,10 @@
 //! Light ends at a back; heat does not: insulation sends back what it receives, and a bare sheet has the temperature
 //! of its front ([`BackCondition`]).
 
-use std::collections::HashSet;
+use std::collections::HashMap;
 use std::sync::Arc;
 
-use radiosity_geom::Flipped;
+use radiosity_geom::{DVec3, Flipped, Surface};
 
 use crate::{
     Scene, SceneSurface,
@@ -19,14 +19,16 @@ const BACK: &str = ":back";
 impl Scene {
     /// The surfaces of one side: neither two-sided nor one of two that lie back to back, called `s` and `s:back`.
     pub fn one_sided(&self) -> Vec<usize> {
-        let named: HashSet<&str> = self.surfaces.iter().map(|surface| surface.name.as_str()).collect();
-        let has_side = |name: &str| {
-            let front = name.strip_suffix(BACK);
-            front.is_some_and(|front| named.contains(front)) || named.contains(&*format!("{name}{BACK}"))
+        let list = &self.surfaces;
+        let named: HashMap<&str, usize> =
+            list.iter().enumerate().map(|(index, surface)| (surface.name.as_str(), index)).collect();
+        let has_side = |surface: &SceneSurface| {
+            let front = surface.name.strip_suffix(BACK).and_then(|front| named.get(front));
+            let back = named.get(&*format!("{}{BACK}", surface.name));
+            front.into_iter().chain(back).any(|other| lie_together(surface, &list[*other]))
         };
-        let all = self.surfaces.iter().enumerate();
-        let alone = all.filter(|(_, surface)| surface.other_side.is_none() && !has_side(&surface.name));
-        alone.map(|(index, _)| index).collect()
+        let is_alone = |index: &usize| list[*index].other_side.is_none() && !has_side(&list[*index]);
+        (0..list.len()).filter(is_alone).collect()
     }
 
     /// The scene with the backs of these [surfaces of one side](Self::one_sided) behind all others, in the order of
@@ -71,4 +73,17 @@ impl SceneSurface {
             ..self.clone()
         }
     }
+}
+
+/// Whether two surfaces are sides of one sheet, to a millionth of its size.
+pub fn lie_together(a: &SceneSurface, b: &SceneSurface) -> bool {
+    let corners = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
+    let place = |surface: &SceneSurface, [u, v]: [f64; 2]| surface.shape.jet(u, v).position;
+    // The sides may be charted from different corners.
+    let [a_middle, b_middle] = [a, b].map(|surface| {
+        corners.iter().map(|corner| place(surface, *corner)).sum::<DVec3>() / corners.len() as f64
+    });
+    let [a_area, b_area] = [a, b].map(|surface| surface.shape.area());
+    let near = 1e-6 * a_area.sqrt();
+    a_middle.distance(b_middle) <= near && (a_area - b_area).abs() <= 1e-6 * a_area
 }

@@ -59,7 +59,7 @@ mod group_factors;
 mod with_material;
 mod still_scene;
 mod frame_scenes;
-mod backs;
+pub mod backs;
 
 use radiosity_geom::DVec3;
 use radiosity_work::wording::{Wording, command, option, set, words};

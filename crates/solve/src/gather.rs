@@ -46,8 +46,9 @@ use radiosity_visibility::Visibility;
 use crate::solution::{Solution, SurfacePlace};
 use crate::tolerances::FIRST_OVER_SECOND;
 
-/// Error of the direct light of elements over that of the light which is gathered from them: the integral over what
-/// they reflect smooths it, and their tables follow light to ten times that accuracy. Chosen.
+/// Error of the direct light of elements over that of the light which is gathered from them, where it comes from skies
+/// that are not uniform: the integral over what they reflect smooths it. Elsewhere errors of cells at one outline add up.
+/// Measured in a room with windows to a clear sky: 34 s became 17, and readings moved by .01 %.
 const ON_ELEMENTS: f64 = 4.0;
 
 /// A solution prepared for gathering.
@@ -72,7 +73,10 @@ impl<'a> Gather<'a> {
         let sent = solution.sent();
         let (list, coatings) = (solution.elements().list(), sent.coatings());
         let direct = DirectLight::within(&solution.emitters(), visibility, eps);
-        let on_elements = DirectLight::within(&solution.emitters(), visibility, ON_ELEMENTS * eps);
+        let emitters = solution.emitters();
+        let is_graded = list.iter().any(|own| emitters.radiances.is_graded(own.surface));
+        let on_elements = if is_graded { ON_ELEMENTS * eps } else { eps };
+        let on_elements = DirectLight::within(&emitters, visibility, on_elements);
         let lit = |element: usize, node: &Node| {
             let mut lit = on_elements.at(element, node.position, node.normal);
             add_indirect(sent, element, node, &mut lit);

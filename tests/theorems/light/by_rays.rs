@@ -241,6 +241,55 @@ fn a_far_lamp_behind_a_screen_lights_a_cell_as_is_told() {
     }
 }
 
+/// Light of a far lamp over a wall that its plane cuts: what is behind the lamp gets none.
+#[test]
+fn a_lamp_sends_nothing_to_the_part_of_a_cell_behind_it() {
+    // The middle of the upper cell is before the lamp, below its plane, and then behind it.
+    for height in [2.4, 2.1] {
+        let text = format!(
+            "bands = [\"grey\"]\n[materials.black]\nreflectance = 0\n[materials.lamp]\nreflectance = 0\nemission = 1000\n\
+             [[surfaces]]\nname = \"wall\"\nmaterial = \"black\"\n\
+             quad = {{ vertices = [[0, 0, 0], [0, 4, 0], [0, 4, 3], [0, 0, 3]] }}\n\
+             [[surfaces]]\nname = \"lamp\"\nmaterial = \"lamp\"\n\
+             parallelogram = {{ origin = [1.5, 1.5, {height}], edge1 = [0, 1, 0], edge2 = [1, 0, 0] }}\n"
+        );
+        let scene = typed(&text);
+        let (outcome, visibility) = solved(&scene);
+        let reader = Reader::by(GatherMethod::Rays, &outcome.solution, &visibility, ReadMode::Gather, 5e-3);
+        let cells = grid(&reader, [2, 2], Rates::default(), &Work::alone());
+        let wall = scene.surface_named("wall").expect("it is there");
+        for cell in cells.iter().filter(|cell| cell.surface == wall) {
+            let middle = cell.position + scene.middle;
+            let exact = on_wall_cell(height, [middle.y, middle.z]);
+            let told = cell.deviation.expect("rays know it").absolute;
+            let found = cell.irradiance[0];
+            assert!(
+                (found - exact).abs() < 3.0 * told + 2e-3 * exact,
+                "{height}, {middle}: {found} ± {told}, {exact}"
+            );
+        }
+    }
+}
+
+/// Mean irradiance of a cell of 2 × 1.5 about a point of that wall, by midpoints.
+fn on_wall_cell(height: f64, [y, z]: [f64; 2]) -> f64 {
+    const N: usize = 24;
+    let place = |k: usize| (k as f64 + 0.5) / N as f64;
+    let mut sum = 0.0;
+    for (a, b) in (0..4 * N).flat_map(|a| (0..4 * N).map(move |b| (a, b))) {
+        let step = |k: usize| (k as f64 + 0.5) / (4 * N) as f64 - 0.5;
+        let drop = height - (z + 1.5 * step(b));
+        if drop <= 0.0 {
+            continue;
+        }
+        for (c, d) in (0..N).flat_map(|c| (0..N).map(move |d| (place(c), place(d)))) {
+            let (off, aside) = (1.5 + c, 1.5 + d - (y + 2.0 * step(a)));
+            sum += off * drop / (off * off + aside * aside + drop * drop).powi(2);
+        }
+    }
+    1000.0 * sum / (PI * (16 * N * N * N * N) as f64)
+}
+
 /// A room with a table under a lamp: over cells of its floor, in light and in shadow, the grid has the mean of what
 /// probes read there, and of what a picture shows.
 #[test]

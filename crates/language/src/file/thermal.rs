@@ -1,10 +1,10 @@
 //! Thermal conditions as typed.
 
 use radiosity_scene::{
-    BackCondition, Condition, Thermal,
+    BackCondition, Condition, Fault, Thermal,
     error::Located,
     thermal::{check_emissivity, check_temperature},
-    tree::Node,
+    tree::{Node, Value as NodeValue},
 };
 use serde_json::{Value, json};
 
@@ -51,7 +51,19 @@ fn back(node: &Node) -> Result<BackCondition, Located> {
     let word = text(node).ok().map(|typed| typed.value);
     match BACKS.iter().find(|(known, _)| word.as_deref() == Some(known)) {
         Some((_, condition)) => Ok(*condition),
-        None => Ok(BackCondition::Temperature(checked(node, check_temperature)?)),
+        None => match checked(node, check_temperature) {
+            Ok(kelvin) => Ok(BackCondition::Temperature(kelvin)),
+            Err(_)
+                if matches!(node.value, NodeValue::Text(_) | NodeValue::Formula(_) | NodeValue::Truth(_)) =>
+            {
+                let cause = "a back is \"adiabatic\", as the \"front\", or has a temperature";
+                Err(Located::at(
+                    &node.span,
+                    Fault::conflict(cause.to_owned(), "write one of both, or kelvin"),
+                ))
+            }
+            Err(fault) => Err(fault),
+        },
     }
 }
 

@@ -11,7 +11,8 @@
 //! U_l(x) the form factor of the emitter, by Lambert's formula, and κ its kernel. W is found by a Gauss rule. Where
 //! nothing hides anything, or everything, D is exact; in shadow v alone has to be found.
 //!
-//! Range of use. An emitter is far where the diagonal of the patch is less than twice its distance.
+//! Range of use. An emitter is far where the diagonal of the patch is less than twice its distance, and no corner of
+//! the patch is behind it: where its plane cuts the patch U_l has a kink, which no rule follows.
 //!
 //! Error. Gauss rules of 2 and 4 points each way err by 8e-5 of W where the diagonal is up to a quarter of the
 //! distance, and by 1e-4 elsewhere.
@@ -23,7 +24,7 @@ use radiosity_elements::patch::Patch;
 use radiosity_elements::rule::UnitRule;
 use radiosity_elements::sampling::kronecker;
 use radiosity_elements::sampling::shift::{number_of, shift, shifted};
-use radiosity_geom::{Aabb, DVec3};
+use radiosity_geom::{Aabb, DVec3, Plane};
 use radiosity_light::emitters::Emitters;
 use radiosity_light::lamps::Shares;
 use radiosity_light::receiver_point::ReceiverPoint;
@@ -41,12 +42,18 @@ const VERY_FAR: f64 = 0.25;
 const FEW_POINTS: usize = 2;
 const POINTS: usize = 4;
 
-/// The flat diffuse emitters of a scene, by their elements.
+/// The flat diffuse emitters of a scene.
 #[derive(Debug)]
-pub(super) struct FlatLamps(Vec<Option<FlatLamp>>);
+pub(super) struct FlatLamps {
+    list: Vec<FlatLamp>,
+    /// For each element its place in the list, if it is one.
+    places: Vec<Option<u32>>,
+}
 
 #[derive(Debug)]
 struct FlatLamp {
+    element: usize,
+    plane: Plane,
     polygons: Vec<Vec<DVec3>>,
     bounds: Aabb,
     /// Exitance per band (W m⁻²).
@@ -64,19 +71,31 @@ pub(super) struct FarLamps<'s> {
 impl FlatLamps {
     /// The flat diffuse emitters among these.
     pub(super) fn of(sources: &Emitters) -> Self {
-        let lamp = |(index, element): (usize, &Element)| {
-            let exitance: Vec<f64> = sources.coatings.iter().map(|coating| coating.exitance[index]).collect();
-            let is_lamp = element.plane.is_some()
-                && element.contact.is_none()
+        let lamp = |(element, own): (usize, &Element)| {
+            let exitance: Vec<f64> =
+                sources.coatings.iter().map(|coating| coating.exitance[element]).collect();
+            let is_lamp = own.contact.is_none()
                 && exitance.iter().any(|exitance| *exitance > 0.0)
-                && !sources.radiances.is_directed(element.surface);
-            is_lamp.then(|| FlatLamp {
-                polygons: element.patches.iter().map(Patch::polygon).collect(),
-                bounds: Aabb::around(element.hull.iter().copied()),
+                && !sources.radiances.is_directed(own.surface);
+            let plane = own.plane.filter(|_| is_lamp)?;
+            let polygons = own.patches.iter().map(Patch::polygon).collect();
+            Some(FlatLamp {
+                element,
+                plane,
+                polygons,
+                bounds: Aabb::around(own.hull.iter().copied()),
                 exitance,
             })
         };
-        Self(sources.elements.iter().enumerate().map(lamp).collect())
+        let list: Vec<FlatLamp> = sources.elements.iter().enumerate().filter_map(lamp).collect();
+        let mut places = vec![None; sources.elements.len()];
+        list.iter().enumerate().for_each(|(place, lamp)| places[lamp.element] = Some(place as u32));
+        Self { list, places }
+    }
+
+    /// The emitter that an element is, if it is one.
+    fn at(&self, element: usize) -> Option<&FlatLamp> {
+        self.places[element].map(|place| &self.list[place as usize])
     }
 
     /// Those that are far from a receiver; None if it is no flat patch, or they send nothing to it.
@@ -86,15 +105,12 @@ impl FlatLamps {
         };
         let bounds = Aabb::around(corners.iter().copied());
         let relative = |lamp: &FlatLamp| bounds.diagonal() / gap(&bounds, &lamp.bounds);
-        let is_far = |element: usize| self.0[element].as_ref().is_some_and(|lamp| relative(lamp) < FAR);
-        let shares = rays.lamps.seen_among(&receiver.middle(), is_far);
-        let held: Vec<&FlatLamp> = self
-            .0
-            .iter()
-            .enumerate()
-            .filter(|(element, _)| shares.density(*element) > 0.0)
-            .filter_map(|(_, lamp)| lamp.as_ref())
-            .collect();
+        let is_before = |lamp: &FlatLamp| corners.iter().all(|corner| lamp.plane.height(*corner) > 0.0);
+        let is_far = |lamp: &FlatLamp| relative(lamp) < FAR && is_before(lamp);
+        let shares =
+            rays.lamps.seen_among(&receiver.witnesses(), |element| self.at(element).is_some_and(is_far));
+        let held: Vec<&FlatLamp> =
+            self.list.iter().filter(|lamp| shares.density(lamp.element) > 0.0).collect();
         if held.is_empty() {
             return None;
         }
@@ -128,7 +144,7 @@ impl FarLamps<'_> {
             let (from, weight) = receiver.at([s, t]);
             let target = self.shares.target([a, b, c]);
             let (Some(kernel), Some(lamp)) =
-                (from.kernel_to(&target.place.node), &self.lamps.0[target.element])
+                (from.kernel_to(&target.place.node), self.lamps.at(target.element))
             else {
                 continue;
             };
@@ -158,7 +174,7 @@ fn without_shadows(own: &ReceiverPatch, lamps: &[&FlatLamp], points: usize) -> V
         let receiver = ReceiverPoint::on(own.surface, node.position, node.normal);
         area += weight;
         for lamp in lamps {
-            let factor: f64 = lamp.polygons.iter().map(|own| receiver.factor(own, [].iter())).sum();
+            let factor: f64 = lamp.polygons.iter().map(|polygon| receiver.factor(polygon, [].iter())).sum();
             sums.iter_mut()
                 .zip(&lamp.exitance)
                 .for_each(|(sum, exitance)| *sum += weight * factor * exitance);

@@ -20,13 +20,9 @@ use crate::gather::bends::{Part, SentLight, bends};
 use crate::gather::flat_lamps::FlatLamps;
 use crate::gather::glow::Glow;
 use crate::gather::lit_cells::LitCells;
-use crate::gather::sent_rays::{AimedRays, LampLight, Met, RayMix, SentRays};
+use crate::gather::sent_rays::{AimedRays, LampLight, Met, NEAR, RayMix, SentRays};
 use crate::gather::walked_light::Draws;
 use crate::solution::{Solution, SurfacePlace};
-
-/// Distance of an emitter, in its radii, within which polynomials say more of its light than one ray.
-/// Measured in a shop with tubes: with 2 and 1 the readings took more rays, and erred more.
-const NEAR: f64 = 4.0;
 
 /// Bands whose light takes no memory of its own for a ray: red, green and blue, and one more.
 const FEW_BANDS: usize = 4;

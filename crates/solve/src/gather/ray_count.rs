@@ -20,8 +20,9 @@ pub(super) fn usual_rays(eps: f64) -> f64 {
 pub(super) const FIRST: u64 = 64;
 pub(super) const FIRST_OF_MANY: u64 = 32;
 
-/// As [`FIRST`], of the cells of a grid.
-pub(super) const FIRST_OF_CELLS: u64 = 16;
+/// As [`FIRST`], of the cells of a grid. Measured in an office: its grid took 7.7 s with 16, which let more cells stop
+/// whose sequences agree by chance, and 7.5 s with 32.
+pub(super) const FIRST_OF_CELLS: u64 = 32;
 
 /// Rays of each sequence to emitters that are far from a patch before the error is first looked at. Chosen.
 pub(super) const FIRST_TO_FAR: u64 = 16;

@@ -157,17 +157,18 @@ impl<'a> RayGather<'a> {
     }
 
     /// All light of a receiver that is one of so many, by rays alone, accurate relative to the usual irradiance where
-    /// less arrives. It depends on nothing but the receiver and their number.
+    /// less arrives, but by walks. It depends on nothing but the receiver and their number.
     ///
     /// Polynomials are taken where they are trusted alone: patches in the dark, of which there are many, see mostly
     /// what is near.
     pub fn read_one_of(&self, origin: &Receiver, count: usize) -> ReadIrradiance {
-        let are_worth = || self.light.lit_cells.rays(&self.light.rays) < count as f64 * usual_rays(self.eps);
-        let held = if are_worth() { Held::READ.beside_cells() } else { Held::READ };
+        let are_worth = self.light.lit_cells.are_worth(count as f64 * usual_rays(self.eps));
+        let held = if are_worth { Held::READ.beside_cells() } else { Held::READ };
         let is_beside = self.beyond == Beyond::Polynomials && !self.light.solution.is_truncated();
         let beyond = if is_beside { Beyond::Trusted } else { self.beyond };
         let rays = ReceiverRays::all(&self.light, origin, beyond.onward(held));
-        let larger = |(usual, dark): (&f64, &f64)| dark.max(*usual);
+        let is_walked = self.beyond == Beyond::Walked;
+        let larger = |(usual, dark): (&f64, &f64)| if is_walked { *dark } else { dark.max(*usual) };
         let dark: Vec<f64> = self.light.usual.iter().zip(&self.dark).map(larger).collect();
         let wanted = Wanted {
             sequences: Sequences::Independent,
@@ -177,7 +178,7 @@ impl<'a> RayGather<'a> {
             dark: &dark,
         };
         let mut read = self.gathered(&rays, &wanted, &vec![0.0; dark.len()]);
-        if self.beyond != Beyond::Walked {
+        if !is_walked {
             let is_dim = read.irradiance.iter().zip(&dark).any(|(light, dark)| light < dark);
             read.deviation.iter_mut().for_each(|deviation| deviation.is_dark |= is_dim);
         }

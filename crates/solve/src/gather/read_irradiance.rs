@@ -19,7 +19,8 @@ pub struct Deviation {
     /// Root mean square over the bands (W m⁻²).
     pub absolute: f64,
     /// Whether a band has less than 2 % of the scene's mean radiosity, to which it is relative, or the point lies in a
-    /// gap or in shadow, where it is as small as asked for relative to the light of the scene.
+    /// gap or in shadow, or a cell has less than the usual irradiance, where it is as small as asked for relative to
+    /// the light of the scene.
     pub is_dark: bool,
 }
 

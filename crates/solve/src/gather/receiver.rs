@@ -23,6 +23,9 @@ pub struct ReceiverPatch {
     area_map: AreaPreservingMap,
 }
 
+/// Numbers that choose the middle of a patch, and points near its corners.
+const WITNESSES: [[f64; 2]; 5] = [[0.5, 0.5], [0.01, 0.01], [0.99, 0.01], [0.99, 0.99], [0.01, 0.99]];
+
 impl Receiver {
     /// The mean over a patch of the surface of this index.
     pub fn over(surface: usize, patch: &Patch) -> Self {
@@ -32,6 +35,15 @@ impl Receiver {
 
     pub(super) fn middle(&self) -> ReceiverPoint {
         self.at([0.5; 2]).0
+    }
+
+    /// Points by which it is told what sends light to it: itself, or its middle and points near its corners, some of
+    /// which may be behind an emitter.
+    pub(super) fn witnesses(&self) -> Vec<ReceiverPoint> {
+        match self {
+            Self::Point(receiver) => vec![*receiver],
+            Self::Patch(_) => WITNESSES.map(|place| self.at(place).0).to_vec(),
+        }
     }
 
     /// The point that two numbers in [0, 1] choose, and its weight.

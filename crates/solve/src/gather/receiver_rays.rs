@@ -80,7 +80,7 @@ impl<'s> ReceiverRays<'s> {
     pub(super) fn all(light: &'s MetLight<'s>, origin: &'s Receiver, onward: Onward) -> Self {
         let far = light.flat_lamps.far_from(&light.rays, origin);
         let is_left = |element: usize| far.as_ref().is_none_or(|far| !far.hold(element));
-        let lamps = Some(light.rays.lamps.seen_among(&origin.middle(), is_left));
+        let lamps = Some(light.rays.lamps.seen_among(&origin.witnesses(), is_left));
         Self { lamps, far, lit: lit(light, origin), ..Self::reflected(light, origin, onward) }
     }
 

@@ -62,11 +62,13 @@ fn outside(scene: &Scene, tree: &RayTree, opening: usize) -> BTreeSet<usize> {
             let sheet = |surface: usize| {
                 scene.surfaces[surface].other_side.map_or(surface, |other| other.min(surface))
             };
-            found.into_iter().for_each(|found| met[sheet(found.surface)] += 1);
+            let is_sky = |surface: usize| scene.surfaces[surface].is_opening();
+            // The front of another opening shines into the same room.
+            let outside = found.filter(|found| !(found.front && is_sky(found.surface)));
+            outside.into_iter().for_each(|found| met[sheet(found.surface)] += 1);
         }
     }
-    let is_seen = |own: &usize| met[*own] >= LEAST_MET && !scene.surfaces[*own].is_opening();
-    (0..met.len()).filter(is_seen).collect()
+    (0..met.len()).filter(|own| met[*own] >= LEAST_MET).collect()
 }
 
 /// Points of a flat surface: the middle of each convex piece, and halfway to its corners.

@@ -7,11 +7,12 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use radiosity_geom::DVec3;
 use radiosity_scene::Scene;
 
 use crate::inspection::{
     enclosure::Enclosure,
-    sheet::{Sheets, backs},
+    sheet::{Sheet, Sheets, backs},
     sheet_border, shell,
     shell::{Fronts, Group, Shell},
 };
@@ -65,22 +66,23 @@ impl Regions {
         let mut of = vec![0; scene.surfaces.len()];
         let enclosures: Vec<Enclosure<'_>> =
             shells.iter().map(|shell| Enclosure::new(&sheets, shell)).collect();
-        let around = |sheet: usize, own: Option<usize>| -> BTreeSet<usize> {
-            let point = sheets.list[sheet].samples()[0].point;
-            let others = enclosures.iter().enumerate().filter(|(other, _)| Some(*other) != own);
-            others.filter(|(_, enclosure)| enclosure.contains(point)).map(|(other, _)| other).collect()
+        let lying_around = |point: DVec3| -> BTreeSet<usize> {
+            let all = enclosures.iter().enumerate().filter(|(_, enclosure)| enclosure.contains(point));
+            all.map(|(shell, _)| shell).collect()
         };
         for group in open {
             let index = found.len();
-            let region =
-                found.entry(around(group.sheets[0], None)).or_insert(Region { index, has_backs: false });
+            let key =
+                same(group.sheets.iter().flat_map(|sheet| places(&sheets.list[*sheet])).map(&lying_around))?;
+            let region = found.entry(key).or_insert(Region { index, has_backs: false });
             for front in group.sheets.iter().map(|sheet| sheets.list[*sheet].surface) {
                 of[front] = region.index;
                 of[backs[&front]] = region.index;
             }
         }
         for own in 0..shells.len() {
-            let around = around(shells[own].sheets[0], Some(own));
+            let mut around = lying_around(sheets.list[shells[own].sheets[0]].samples()[0].point);
+            around.remove(&own);
             let front = if shells[own].fronts == Fronts::Inside { Side::Within } else { Side::Without };
             for side in [Side::Within, Side::Without] {
                 let mut key = around.clone();
@@ -112,6 +114,20 @@ impl Regions {
     pub fn are_together(&self, surfaces: [usize; 2]) -> bool {
         self.of[surfaces[0]] == self.of[surfaces[1]]
     }
+}
+
+/// Places on a sheet, within and along its borders.
+fn places(sheet: &Sheet) -> Vec<DVec3> {
+    let within = sheet.samples().into_iter().map(|sample| sample.point);
+    let borders = sheet.borders();
+    let along = borders.iter().flat_map(|(border, _)| [-1.0, -0.5, 0.0, 0.5].map(|w| border.point(w)));
+    within.chain(along).collect()
+}
+
+/// What all of these are, if they are one.
+fn same<T: PartialEq>(mut all: impl Iterator<Item = T>) -> Option<T> {
+    let first = all.next()?;
+    all.all(|other| other == first).then_some(first)
 }
 
 #[cfg(test)]
@@ -185,5 +201,8 @@ mod tests {
         let outside = "two_sided = true\ndisk = { center = [9, 2, 2], normal = [0, 0, 1], radius = 1 }";
         let found = regions(&[ROOM, outside]).expect("all is closed but the sheet");
         assert!(found.is_closed(0) && !found.is_closed(6) && !found.is_closed(7));
+        // One that pierces a wall joins what is within with what is without.
+        let pierces = "two_sided = true\ndisk = { center = [3.8, 2, 2], normal = [0, 0, 1], radius = 1 }";
+        assert!(regions(&[ROOM, pierces]).is_none());
     }
 }
