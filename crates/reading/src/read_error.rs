@@ -19,8 +19,9 @@ pub struct ReadError {
     pub rms: f64,
     /// Largest relative deviation.
     pub largest: f64,
-    /// Number of readings that are left out, as theirs are small relative to the light of the scene: in narrow gaps, in
-    /// shadow, of less than 2 % of the scene's mean radiosity in a band, and of cells of less than its usual irradiance.
+    /// Number of readings that are left out, as theirs are small relative to the light of the scene: in narrow gaps,
+    /// in shadow, of less than 2 % of the scene's mean radiosity in a band, and of cells of less than its usual
+    /// irradiance.
     pub dark: usize,
 }
 

@@ -46,9 +46,9 @@ use radiosity_visibility::Visibility;
 use crate::solution::{Solution, SurfacePlace};
 use crate::tolerances::FIRST_OVER_SECOND;
 
-/// Error of the direct light of elements over that of the light which is gathered from them, where it comes from skies
-/// that are not uniform: the integral over what they reflect smooths it. Elsewhere errors of cells at one outline add up.
-/// Measured in a room with windows to a clear sky: 34 s became 17, and readings moved by .01 %.
+/// Error of the direct light of elements over that of the light which is gathered from them, where it comes from
+/// skies that are not uniform: the integral over what they reflect smooths it. Elsewhere errors of cells at one outline
+/// add up. Measured in a room with windows to a clear sky: 34 s became 17, and readings moved by .01 %.
 const ON_ELEMENTS: f64 = 4.0;
 
 /// A solution prepared for gathering.

@@ -272,9 +272,11 @@ fn cells_of_the_furnace_are_two_times_what_is_uncovered() {
                 if cell.surface == 0 { shared(0, 0.2, 0.5) * shared(1, 0.3, 0.6) / cell.area } else { 0.0 };
             let exact = 2.0 * (1.0 - covered);
             let e = cell.irradiance[0];
+            // Of 176 cells, by eight sequences each.
+            let told = cell.deviation.map_or(6e-3, |deviation| deviation.absolute);
             assert!(
-                (e - exact).abs() < 3e-2,
-                "{read:?} {:?}: {e} instead of {exact}",
+                (e - exact).abs() < 5.0 * told,
+                "{read:?} {:?}: {e} ± {told} instead of {exact}",
                 (cell.surface, cell.index)
             );
         }

@@ -124,7 +124,7 @@ fn places(sheet: &Sheet) -> Vec<DVec3> {
     within.chain(along).collect()
 }
 
-/// What all of these are, if they are one.
+/// The value that all of these have, if they have one.
 fn same<T: PartialEq>(mut all: impl Iterator<Item = T>) -> Option<T> {
     let first = all.next()?;
     all.all(|other| other == first).then_some(first)
