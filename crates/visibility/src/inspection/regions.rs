@@ -80,16 +80,16 @@ impl Regions {
                 of[backs[&front]] = region.index;
             }
         }
-        for own in 0..shells.len() {
-            let mut around = lying_around(sheets.list[shells[own].sheets[0]].samples()[0].point);
+        for (own, shell) in shells.iter().enumerate() {
+            let mut around = lying_around(sheets.list[shell.sheets[0]].samples()[0].point);
             around.remove(&own);
-            let front = if shells[own].fronts == Fronts::Inside { Side::Within } else { Side::Without };
+            let front = if shell.fronts == Fronts::Inside { Side::Within } else { Side::Without };
             for side in [Side::Within, Side::Without] {
                 let mut key = around.clone();
                 key.extend((side == Side::Within).then_some(own));
                 let index = found.len();
                 let region = found.entry(key).or_insert(Region { index, has_backs: false });
-                let fronts = shells[own].surfaces.iter();
+                let fronts = shell.surfaces.iter();
                 let shown: Vec<usize> = match side == front {
                     true => fronts.copied().collect(),
                     false => fronts.filter_map(|front| backs.get(front).copied()).collect(),
