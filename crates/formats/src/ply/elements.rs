@@ -129,7 +129,7 @@ impl Elements {
                     return Ok(());
                 }
                 self.faces.push(Face { start: self.corners.len(), place });
-                let is_turned = strip.len() % 2 == 0;
+                let is_turned = strip.len().is_multiple_of(2);
                 let triangle = if is_turned { [b, a, c] } else { [a, b, c] };
                 triangle.into_iter().try_for_each(|corner| add_corner(&mut self.corners, corner, place))
             })?;
