@@ -112,7 +112,7 @@ fn factors(
         false => pairs.iter().map(|pair| pair[0]).collect(),
     };
     let from: Vec<usize> = from.into_iter().collect();
-    let (factors, told) = work(py, observer, |progress| {
+    let (factors, told, sums) = work(py, observer, |progress| {
         let tell = |event| {
             if let Event::Done { done, of, .. } = event {
                 progress.step("pairs", done, of);
@@ -127,7 +127,9 @@ fn factors(
             })?,
             None => CheckedFactors::unjudged(&factors),
         };
-        Ok::<_, Failure>((factors, told))
+        let sums = || RowSums::of(scene, &factors, request.accuracy());
+        let sums = pairs.is_empty().then(|| in_threads(options.threads, sums)).transpose()?;
+        Ok::<_, Failure>((factors, told, sums))
     })?;
     if let Some(worst) = factors.worst_error.filter(WorstError::is_real) {
         warn(py, &missed(&worst, worst.pair.map(|surface| &factors.names[surface][..])))?;
@@ -135,7 +137,6 @@ fn factors(
     if let Some(finding) = told.checked.as_ref().and_then(Checked::finding) {
         warn(py, &format!("walks find the factors off by more than these tell: {finding}").into())?;
     }
-    let sums = pairs.is_empty().then(|| RowSums::of(scene, &factors, request.accuracy()));
     if let Some(warning) = sums.as_ref().and_then(RowSums::warning) {
         warn(py, &warning.message)?;
     }

@@ -6,7 +6,6 @@ use std::sync::Arc;
 
 use radiosity_geom::{DVec3, PlanarRegion, RayTree, Surface};
 use radiosity_scene::{Scene, SceneSurface};
-use rayon::prelude::*;
 
 use crate::inspection::warning::Warning;
 
@@ -32,8 +31,7 @@ pub fn before_openings(scene: &Scene) -> Vec<Warning> {
         return Vec::new();
     }
     let tree = RayTree::new(scene.surfaces.iter().map(|surface| Arc::clone(&surface.shape)).collect());
-    let openings = (0..scene.surfaces.len()).into_par_iter();
-    let openings = openings.filter(|surface| scene.surfaces[*surface].is_opening());
+    let openings = (0..scene.surfaces.len()).filter(|surface| scene.surfaces[*surface].is_opening());
     openings.filter_map(|opening| warning(scene, opening, &outside(scene, &tree, opening))).collect()
 }
 
