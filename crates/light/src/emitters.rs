@@ -54,6 +54,11 @@ impl Radiances {
 }
 
 impl Emitters<'_> {
+    /// Whether the light of any varies with its direction, and not at the horizon alone.
+    pub fn are_graded(&self) -> bool {
+        self.elements.iter().any(|own| self.radiances.is_graded(own.surface))
+    }
+
     /// Whether any of them is no diffuse emitter.
     pub fn are_directed(&self) -> bool {
         self.radiances.0.iter().any(Option::is_some)

@@ -74,8 +74,7 @@ impl<'a> Gather<'a> {
         let (list, coatings) = (solution.elements().list(), sent.coatings());
         let direct = DirectLight::within(&solution.emitters(), visibility, eps);
         let emitters = solution.emitters();
-        let is_graded = list.iter().any(|own| emitters.radiances.is_graded(own.surface));
-        let on_elements = if is_graded { ON_ELEMENTS * eps } else { eps };
+        let on_elements = if emitters.are_graded() { ON_ELEMENTS * eps } else { eps };
         let on_elements = DirectLight::within(&emitters, visibility, on_elements);
         let lit = |element: usize, node: &Node| {
             let mut lit = on_elements.at(element, node.position, node.normal);
