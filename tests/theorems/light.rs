@@ -10,6 +10,7 @@ mod closure;
 mod cornell;
 mod curved_bodies;
 mod edges;
+mod far_lamps;
 mod curved_emitters;
 mod curved_shadows;
 mod direct_by_rays;

@@ -113,7 +113,8 @@ pub(crate) fn run(args: &ViewFactorsArgs, given: &TypedOptions, ranks: &Ranks) -
     destination.write(|writer| form.write(&scene, &factors, &told, writer))?;
     drop(progress);
     let first = costs(&scene, &factors, start.elapsed().as_secs_f64());
-    args.transfers.tell(first, &scene, args.findings(&scene, &factors, &told), &args.output, ranks);
+    let findings = args.findings(&scene, &factors, &told, ranks)?;
+    args.transfers.tell(first, &scene, findings, &args.output, ranks);
     args.judge(&told)
 }
 
@@ -249,8 +250,16 @@ impl ViewFactorsArgs {
     }
 
     /// The lines of the summary on the factors.
-    fn findings(&self, scene: &Scene, factors: &ViewFactors, told: &CheckedFactors) -> Vec<String> {
-        let mut lines = if self.pairs.is_empty() { self.sums(scene, factors) } else { Vec::new() };
+    fn findings(
+        &self,
+        scene: &Scene,
+        factors: &ViewFactors,
+        told: &CheckedFactors,
+        ranks: &Ranks,
+    ) -> Result<Vec<String>, CliError> {
+        let threads = ranks.threads(self.transfers.request.factors().threads);
+        let sums = || self.sums(scene, factors);
+        let mut lines = if self.pairs.is_empty() { in_threads(threads, sums)? } else { Vec::new() };
         lines.extend(told.checked.as_ref().map(ToString::to_string));
         if let Some(finding) = told.checked.as_ref().and_then(Checked::finding) {
             lines.push(format!("warning: walks find the factors off by more than these tell: {finding}"));
@@ -259,7 +268,7 @@ impl ViewFactorsArgs {
             let names = worst.pair.map(|surface| &factors.names[surface][..]);
             lines.push(format!("warning: {}", missed(&worst, names)));
         }
-        lines
+        Ok(lines)
     }
 
     /// Lines on row sums.

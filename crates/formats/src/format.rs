@@ -52,13 +52,33 @@ impl Format {
 
     /// The format that the ending of a file's name tells, in upper or lower case.
     pub fn of(path: &str) -> Option<Format> {
-        let ending = Path::new(path).extension()?.to_string_lossy().to_ascii_lowercase();
-        Some(match ending.as_str() {
+        Some(match ending(path)?.as_str() {
             "glb" => Format::Gltf,
             "xml" => Format::Mitsuba,
             ending => *Format::ALL.iter().find(|format| format.name() == ending)?,
         })
     }
+
+    /// Cure for a file whose ending tells of a format that is none of these.
+    pub fn cure_of_others(path: &str) -> Option<&'static str> {
+        Some(match ending(path)?.as_str() {
+            "ifc" | "ifczip" | "ifcxml" | "rvt" => {
+                "export it as .glb or .obj: IfcConvert of IfcOpenShell does, and Blender with Bonsai"
+            }
+            "dxf" | "dwg" | "step" | "stp" | "iges" | "igs" | "fcstd" => {
+                "export its faces as .obj or .stl: FreeCAD does"
+            }
+            "fbx" | "dae" | "3ds" | "blend" | "skp" | "usd" | "usda" | "usdc" | "usdz" => {
+                "export it as .glb or .obj: Blender does"
+            }
+            _ => return None,
+        })
+    }
+}
+
+/// The ending of a file's name, in lower case.
+fn ending(path: &str) -> Option<String> {
+    Some(Path::new(path).extension()?.to_string_lossy().to_ascii_lowercase())
 }
 
 /// The files of a scene.

@@ -2,6 +2,7 @@
 
 use std::{collections::BTreeSet, io, path::Path};
 
+use radiosity_formats::format::Format;
 use radiosity_scene::{
     Fault, FaultKind, Scene, SceneError, SceneSurface, Source,
     error::Located,
@@ -74,30 +75,13 @@ pub fn source_by(
     if let Some(format) = import.format_of(name) {
         return Ok(import.source(name, format, ranks)?.set(settings.iter().copied()));
     }
-    if let Some(cure) = foreign(name) {
+    if let Some(cure) = Format::cure_of_others(name) {
         let cause = "scenes of this format are not read".to_owned();
         return Err(SceneError::of(name, Fault::new(FaultKind::Foreign, cause, cure)));
     }
     let origin = if name == "-" { "<stdin>" } else { name };
     let text = input::text(name, ranks).map_err(|error| unreadable(name, origin, &error))?;
     Ok(Source::new(origin, &text).with_files().set(settings.iter().copied()))
-}
-
-/// Cure for a file whose ending tells of a format that is not read.
-fn foreign(name: &str) -> Option<&'static str> {
-    let ending = Path::new(name).extension()?.to_string_lossy().to_ascii_lowercase();
-    Some(match ending.as_str() {
-        "ifc" | "ifczip" | "ifcxml" | "rvt" => {
-            "export it as .glb or .obj: IfcConvert of IfcOpenShell does, and Blender with Bonsai"
-        }
-        "dxf" | "dwg" | "step" | "stp" | "iges" | "igs" | "fcstd" => {
-            "export its faces as .obj or .stl: FreeCAD does"
-        }
-        "fbx" | "dae" | "3ds" | "blend" | "skp" | "usd" | "usda" | "usdc" | "usdz" => {
-            "export it as .glb or .obj: Blender does"
-        }
-        _ => return None,
-    })
 }
 
 /// Reads a scene, of a text or made in code.

@@ -72,10 +72,11 @@ impl<'a> Gather<'a> {
     pub fn new(solution: &'a Solution, visibility: &'a Visibility, eps: f64) -> Self {
         let sent = solution.sent();
         let (list, coatings) = (solution.elements().list(), sent.coatings());
-        let direct = DirectLight::within(&solution.emitters(), visibility, eps);
         let emitters = solution.emitters();
-        let on_elements = if emitters.are_graded() { ON_ELEMENTS * eps } else { eps };
-        let on_elements = DirectLight::within(&emitters, visibility, on_elements);
+        let direct = DirectLight::within(&emitters, visibility, eps);
+        let rougher = || DirectLight::within(&emitters, visibility, ON_ELEMENTS * eps);
+        let rougher = emitters.are_graded().then(rougher);
+        let on_elements = rougher.as_ref().unwrap_or(&direct);
         let lit = |element: usize, node: &Node| {
             let mut lit = on_elements.at(element, node.position, node.normal);
             add_indirect(sent, element, node, &mut lit);

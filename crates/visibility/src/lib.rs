@@ -17,6 +17,7 @@
 //! Imports `core`, `geom`, `work`, `fit` and `scene`.
 
 pub mod tolerances;
+mod golden_spiral;
 pub mod blocker_edges;
 pub mod bounding_ball;
 pub mod shadow_volume;

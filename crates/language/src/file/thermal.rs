@@ -49,22 +49,17 @@ const BACKS: [(&str, BackCondition); 2] =
 /// One of these words, or a temperature.
 fn back(node: &Node) -> Result<BackCondition, Located> {
     let word = text(node).ok().map(|typed| typed.value);
-    match BACKS.iter().find(|(known, _)| word.as_deref() == Some(known)) {
-        Some((_, condition)) => Ok(*condition),
-        None => match checked(node, check_temperature) {
-            Ok(kelvin) => Ok(BackCondition::Temperature(kelvin)),
-            Err(_)
-                if matches!(node.value, NodeValue::Text(_) | NodeValue::Formula(_) | NodeValue::Truth(_)) =>
-            {
-                let cause = "a back is \"adiabatic\", as the \"front\", or has a temperature";
-                Err(Located::at(
-                    &node.span,
-                    Fault::conflict(cause.to_owned(), "write one of both, or kelvin"),
-                ))
-            }
-            Err(fault) => Err(fault),
-        },
+    if let Some((_, condition)) = BACKS.iter().find(|(known, _)| word.as_deref() == Some(known)) {
+        return Ok(*condition);
     }
+    let kelvin = checked(node, check_temperature).map(BackCondition::Temperature);
+    kelvin.map_err(|fault| match node.value {
+        NodeValue::Text(_) | NodeValue::Formula(_) | NodeValue::Truth(_) => {
+            let cause = "a back is \"adiabatic\", as the \"front\", or has a temperature";
+            Located::at(&node.span, Fault::conflict(cause, "write one of both, or kelvin"))
+        }
+        _ => fault,
+    })
 }
 
 fn back_schema() -> Value {

@@ -12,7 +12,7 @@ use radiosity_work::interruption::check_interrupt;
 use rayon::prelude::*;
 
 use super::footprint::Footprint;
-use crate::Visibility;
+use crate::{Visibility, golden_spiral};
 
 /// Rays from each place, evenly over the half-space. An arbitrary choice: an opening that takes less than a
 /// 64th of it may be missed from a place, and what light reaches through it counts as dark; more rays take
@@ -137,11 +137,11 @@ fn fronts_seen(
     Some(seen)
 }
 
-/// Directions evenly over the half-space of the last axis: a spiral of the golden angle, 2.39996 rad.
+/// Directions evenly over the half-space of the last axis, along a golden spiral.
 fn directions([first, second, up]: [DVec3; 3]) -> impl Iterator<Item = DVec3> {
     (0..RAYS).map(move |k| {
         let cosine = (k as f64 + 0.5) / RAYS as f64;
-        let (sin, cos) = (2.399_963_229_728_653 * k as f64).sin_cos();
+        let (sin, cos) = golden_spiral::turn(k);
         (1.0 - cosine * cosine).sqrt() * (cos * first + sin * second) + cosine * up
     })
 }

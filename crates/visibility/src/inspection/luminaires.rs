@@ -1,15 +1,13 @@
 //! Luminaires whose light reaches no front, what is odd about their tables, and how far points err that are
 //! as large as their tables say.
 
-use std::f64::consts::PI;
-
 use radiosity_geom::{DVec3, Encounter, Ray};
 use radiosity_scene::{Distribution, Extent, Luminaire, Scene};
 use serde::Serialize;
 
 use crate::inspection::warning::Warning;
 use crate::tolerances::OWN_END;
-use crate::{Shadows, Visibility};
+use crate::{Shadows, Visibility, golden_spiral};
 
 /// Rays that look for a front that a luminaire lights: one that takes less than a 256th of all directions may
 /// be missed.
@@ -101,11 +99,10 @@ fn lit(own: &Luminaire, visibility: &Visibility) -> impl Iterator<Item = Encount
     })
 }
 
-/// Unit vector number `index` of [`RAYS`] that are spread evenly: a spiral that turns by the golden angle
-/// from one to the next.
+/// Unit vector number `index` of [`RAYS`] that are spread evenly, along a golden spiral.
 fn direction(index: u32) -> DVec3 {
     let z = 1.0 - (2 * index + 1) as f64 / f64::from(RAYS);
-    let (sin, cos) = (f64::from(index) * PI * (3.0 - 5.0_f64.sqrt())).sin_cos();
+    let (sin, cos) = golden_spiral::turn(index as usize);
     let across = (1.0 - z * z).sqrt();
     DVec3::new(across * cos, across * sin, z)
 }

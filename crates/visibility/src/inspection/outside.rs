@@ -1,12 +1,12 @@
 //! Surfaces outside openings: an opening sends the light of the whole sky, whatever stands before it outside.
 
 use std::collections::BTreeSet;
-use std::f64::consts::TAU;
 use std::sync::Arc;
 
-use radiosity_geom::{DVec3, PlanarRegion, RayTree, Surface};
+use radiosity_geom::{DVec3, Encounter, PlanarRegion, RayTree, Surface};
 use radiosity_scene::{Scene, SceneSurface};
 
+use crate::golden_spiral;
 use crate::inspection::warning::Warning;
 
 /// Code of the warning.
@@ -15,9 +15,6 @@ pub const BEFORE_OPENINGS: &str = "outside";
 /// Rays from each point of an opening. Chosen: those of a rectangle, five times as many, see what hides a hundredth of
 /// the sky.
 const RAYS: usize = 256;
-
-/// 1/φ, of the golden section φ: the turn from one ray to the next.
-const GOLDEN: f64 = 0.618_033_988_749_894_9;
 
 /// Rays that have to meet a surface, as one may slip along a wall.
 const LEAST_MET: usize = 3;
@@ -51,20 +48,16 @@ fn warning(scene: &Scene, opening: usize, outside: &BTreeSet<usize>) -> Option<W
 /// The surfaces that rays from an opening meet outside.
 fn outside(scene: &Scene, tree: &RayTree, opening: usize) -> BTreeSet<usize> {
     let shape = &scene.surfaces[opening].shape;
+    let out = -shape.jet(0.0, 0.0).normal;
+    // The front of another opening shines into the same room.
+    let is_outside = |found: &Encounter| !(found.front && scene.surfaces[found.surface].is_opening());
+    // Both sides of a sheet count as its front.
+    let sheet =
+        |surface: usize| scene.surfaces[surface].other_side.map_or(surface, |other| other.min(surface));
     let mut met = vec![0; scene.surfaces.len()];
     for point in points(shape.as_ref()) {
-        let out = -shape.jet(0.0, 0.0).normal;
-        for ray in 0..RAYS {
-            let found = tree.nearest_from(opening, point, direction(out, ray));
-            // Both sides of a sheet count as its front.
-            let sheet = |surface: usize| {
-                scene.surfaces[surface].other_side.map_or(surface, |other| other.min(surface))
-            };
-            let is_sky = |surface: usize| scene.surfaces[surface].is_opening();
-            // The front of another opening shines into the same room.
-            let outside = found.filter(|found| !(found.front && is_sky(found.surface)));
-            outside.into_iter().for_each(|found| met[sheet(found.surface)] += 1);
-        }
+        let found = (0..RAYS).filter_map(|ray| tree.nearest_from(opening, point, direction(out, ray)));
+        found.filter(is_outside).for_each(|found| met[sheet(found.surface)] += 1);
     }
     (0..met.len()).filter(|own| met[*own] >= LEAST_MET).collect()
 }
@@ -80,10 +73,10 @@ fn points(shape: &dyn Surface) -> Vec<DVec3> {
     pieces.iter().flat_map(of_piece).collect()
 }
 
-/// A direction by the cosine about a unit vector, of [`RAYS`] along a Fibonacci spiral.
+/// A direction by the cosine about a unit vector, of [`RAYS`] along a golden spiral.
 fn direction(about: DVec3, ray: usize) -> DVec3 {
     let (x, y) = about.any_orthonormal_pair();
     let square = (ray as f64 + 0.5) / RAYS as f64;
-    let (sine, cosine) = (TAU * ray as f64 * GOLDEN).sin_cos();
+    let (sine, cosine) = golden_spiral::turn(ray);
     square.sqrt() * (cosine * x + sine * y) + (1.0 - square).sqrt() * about
 }
