@@ -2,9 +2,10 @@
 //!
 //! E₁(y) = S_h(y) + E₀(z) V κ(y, z)/q(z) is the irradiance of y: S_h ≥ 0, the polynomials of the light that
 //! was reflected at least once, and the direct light by one ray to a point z of an emitter, of density q(z), so that
-//! shadow edges are sharp there too. The polynomials E_h of all light take its place near an emitter, where one ray
-//! says little, and on elements that are small as seen from where the ray began: these are right in the mean. Where
-//! only reflected light is gathered, for pictures, they are left only on elements that this nearly touches.
+//! shadow edges are sharp there too. The polynomials E_h of all light take its place on elements that are small as seen
+//! from where the ray began: these are right in the mean. Not so near an emitter, although one ray says little there:
+//! before a large window all of a room is near, and readings erred by up to 3 %. Where only reflected light is gathered,
+//! for pictures, they are left only on elements that the ray nearly touches.
 //!
 //! Of the light of luminaires E₁(y) has that of one of them, by a ray.
 
@@ -198,7 +199,7 @@ impl<'a> MetLight<'a> {
         match end_light {
             EndLight::Polynomials => self.hold(element, place, &mut irradiance),
             EndLight::Direct { chance, held } => {
-                if self.is_held(element, &there(), distance, held) {
+                if self.is_held(element, distance, held) {
                     self.hold(element, place, &mut irradiance);
                 } else {
                     self.hold_reflected(element, place, &mut irradiance);
@@ -214,14 +215,13 @@ impl<'a> MetLight<'a> {
         irradiance
     }
 
-    /// Whether readings take all light at a point of an element from its polynomials, because it is near an
-    /// emitter or seen small from this distance, and light bends little there. Never among luminaires: before one
-    /// of them light peaks, which no polynomial follows.
-    fn is_held(&self, element: usize, there: &ReceiverPoint, distance: f64, held: Held) -> bool {
+    /// Whether readings take all light of an element from its polynomials, because it is seen small from this distance
+    /// and light bends little on it. Never among luminaires: before one of them light peaks, which no polynomial
+    /// follows.
+    fn is_held(&self, element: usize, distance: f64, held: Held) -> bool {
         self.rays.points.is_empty()
             && self.bends[element] < held.smooth
-            && (is_small(&self.sent.elements().list()[element], held.small * distance)
-                || self.rays.lamps.is_near(there, NEAR))
+            && is_small(&self.sent.elements().list()[element], held.small * distance)
     }
 
     /// Puts the polynomials E_h ≥ 0 of all light into `irradiance` (W m⁻² per band).

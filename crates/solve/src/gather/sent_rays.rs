@@ -27,9 +27,8 @@ use crate::solution::SurfacePlace;
 /// rounding of single precision.
 const SAME_PLACE: f64 = 1e-6;
 
-/// Distance of an emitter, in its radii, within which its light has peaks: rays to it go beside others, and
-/// polynomials say more of it than one ray. Measured in a shop with tubes: with 2 and 1 the readings took more rays,
-/// and erred more.
+/// Distance of an emitter, in its radii, within which its light has peaks: rays to it go beside others. Measured in a
+/// shop with tubes: with 2 and 1 the readings took more rays, and erred more.
 pub(super) const NEAR: f64 = 4.0;
 
 /// A scene with the light that its surfaces emit, as rays ask for it.
