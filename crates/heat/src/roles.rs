@@ -17,6 +17,18 @@ pub(super) enum Role {
     Flux { emissivity: Option<f64>, flux: f64 },
     /// The flow of both sides of a sheet together; its index among the shields.
     Shield { emissivity: f64, shield: usize },
+    /// It neither gains nor loses heat, and nothing sets its level: it exchanges with others of its kind alone.
+    Idle { emissivity: Option<f64> },
+}
+
+impl Role {
+    /// The emissivity; None where none was given and none is needed.
+    pub(super) fn emissivity(&self) -> Option<f64> {
+        match *self {
+            Self::Temperature { emissivity, .. } | Self::Shield { emissivity, .. } => Some(emissivity),
+            Self::Flux { emissivity, .. } | Self::Idle { emissivity } => emissivity,
+        }
+    }
 }
 
 /// A sheet whose two sides have one unknown temperature.
@@ -76,12 +88,44 @@ impl Roles {
         };
         Ok(Self { list: scene.surfaces.iter().enumerate().map(role).collect(), shields })
     }
+
+    /// Whether a surface neither gains nor loses heat by itself; of a sheet, both sides together.
+    pub(super) fn is_adiabatic(&self, surface: usize) -> bool {
+        match self.list[surface] {
+            Role::Temperature { .. } => false,
+            Role::Flux { flux, .. } => flux == 0.0,
+            Role::Shield { shield, .. } => self.shields[shield].flux == 0.0,
+            Role::Idle { .. } => true,
+        }
+    }
+
+    /// Makes surfaces idle, both sides of sheets.
+    pub(super) fn idle(&mut self, is_idle: impl Fn(usize) -> bool) {
+        let list = self.list.iter_mut().enumerate().filter(|(surface, _)| is_idle(*surface));
+        list.for_each(|(_, role)| *role = Role::Idle { emissivity: role.emissivity() });
+        self.shields.retain(|shield| !is_idle(shield.sides[0]));
+        for (k, shield) in self.shields.iter().enumerate() {
+            for side in shield.sides {
+                if let Role::Shield { shield, .. } = &mut self.list[side] {
+                    *shield = k;
+                }
+            }
+        }
+    }
 }
 
-/// The names of the surfaces of which `holds` is true.
-fn named(scene: &Scene, holds: impl Fn(usize, &SceneSurface) -> bool) -> Vec<String> {
+/// What the surfaces of which `holds` is true are called.
+pub(super) fn named(scene: &Scene, holds: impl Fn(usize, &SceneSurface) -> bool) -> Vec<String> {
     let all = scene.surfaces.iter().enumerate().filter(|(index, surface)| holds(*index, surface));
-    all.map(|(_, surface)| surface.name.clone()).collect()
+    all.map(|(index, _)| called(scene, index)).collect()
+}
+
+/// What messages call a surface: by the name that was typed.
+pub(super) fn called(scene: &Scene, index: usize) -> String {
+    match scene.surfaces[index].other_side.filter(|front| *front < index) {
+        Some(front) => format!("the back of {:?}", scene.surfaces[front].name),
+        None => format!("{:?}", scene.surfaces[index].name),
+    }
 }
 
 /// The emissivity that is given, else 1 − ρ in scenes of a single band where ρ is the same all over the
