@@ -152,3 +152,23 @@ fn emissivities(scene: &Scene, roles: &Roles) -> Result<Vec<f64>, HeatError> {
     }
     Err(HeatError::NoEmissivity { surfaces })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Of three surfaces that emit 1 each, the third to the surroundings too, two hardly see each other.
+    #[test]
+    fn rows_without_negative_entries_keep_their_sums() {
+        let raw = [vec![0.2, -0.01, 0.81], vec![-0.01, 0.5, 0.51], vec![0.81, 0.51, -0.62]];
+        let emitted = [1.0, 1.0, 1.0];
+        let Conductances { rows, lost, asymmetry, negative } = Conductances::symmetric(&raw, &emitted);
+        assert!((asymmetry, negative) == (0.0, 0.62));
+        for (i, row) in rows.iter().enumerate() {
+            assert!(row.iter().chain([&lost[i]]).all(|own| *own >= 0.0), "{row:?}, {lost:?}");
+            assert!((row.iter().sum::<f64>() + lost[i] - 1.0).abs() < 1e-12, "{row:?}, {lost:?}");
+            assert!((0..3).all(|j| row[j] == rows[j][i]), "{rows:?}");
+        }
+        assert_eq!(rows[0][1], 0.0);
+    }
+}

@@ -83,6 +83,10 @@ pub(super) fn figures(
         let flux = match roles.list[surface] {
             Role::Flux { flux, .. } => flux,
             Role::Idle { .. } => 0.0,
+            // As J − H, in which the digits of small emissivities are lost.
+            Role::Temperature { emissivity, kelvin } if own.is_some() => {
+                emissivity * (level(kelvin) - irradiance)
+            }
             Role::Temperature { .. } | Role::Shield { .. } => radiosity - irradiance,
         };
         let temperature = match roles.list[surface] {

@@ -136,7 +136,8 @@ impl Heat {
     pub fn of(scene: &Scene, wanted: &HeatOptions, work: &Work<'_>) -> Result<Self, HeatError> {
         let scene = &wanted.options.in_threads(work.ranks, || backs::with_backs(scene))?;
         let mut roles = Roles::of(scene)?;
-        let options = Options { direct: Direct::Projected, ..wanted.options };
+        let tolerance = wanted.options.tolerance.max(roles.rounding(scene));
+        let options = Options { direct: Direct::Projected, tolerance, ..wanted.options };
         if wanted.conductances {
             Forecast::of(scene, &roles, &options, work.ranks).require_conductances()?;
         }

@@ -170,11 +170,11 @@ impl Enclosure {
         };
         let corners = side.corners().map(|corner| corner.to_array());
         let Side { name, emissivity, .. } = side;
-        writeln!(
+        write!(
             self.text,
-            "[[surfaces]]\nname = \"{name}\"\nemissivity = {emissivity}\n{condition}\n{keys}"
+            "[materials.{name}]\nemissivity = {emissivity}\n{condition}\n\
+             [[surfaces]]\nname = \"{name}\"\nmaterial = \"{name}\"\n{keys}\nquad = {{ vertices = {corners:?} }}\n"
         )
-        .and_then(|()| writeln!(self.text, "quad = {{ vertices = {corners:?} }}"))
         .expect("text takes all");
     }
 
