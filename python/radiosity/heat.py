@@ -38,7 +38,7 @@ class Heat(Kept):
 
     @property
     def temperature(self) -> Array:
-        """Temperatures (K), given or found; of a surface of known flux that of its mean σT⁴."""
+        """Temperatures (K), given or found; of a surface of known flux that of its mean σT⁴; nan where nothing sets them."""
         return self._native.temperature
 
     @property

@@ -87,7 +87,7 @@ class ViewFactors(Kept):
 
     @property
     def accuracy_reached(self) -> float:
-        """Largest error that is left in a transfer, relative to it or a hundredth of the largest of its row; 0 where all are as asked."""
+        """The largest error of a factor, that of `errors`."""
         return self._native.accuracy_reached
 
     @property

@@ -9,7 +9,7 @@ use radiosity::kernel::WorstError;
 use radiosity::reading::accuracy_warning::{
     corrected, heat_unchecked, heat_underestimated, missed, no_error_of_cut,
 };
-use radiosity::reading::heat_remarks::{adiabatic_backs, light_without_heat};
+use radiosity::reading::heat_remarks::{adiabatic_backs, light_without_heat, without_level};
 use radiosity::request::{CheckRequest, HeatRequest, TransferRequest};
 use radiosity::work::Work;
 use radiosity::work::ranks::Ranks;
@@ -67,6 +67,7 @@ pub(crate) fn heat_of(
         .into_iter()
         .chain(light_without_heat(&scene.scene))
         .chain(backs)
+        .chain(without_level(&heat.without_level))
         .chain(moved)
         .chain(unchecked)
         .collect();

@@ -226,10 +226,10 @@ impl ViewFactors {
         array(py, &[self.told.errors.len()], self.told.errors.clone())
     }
 
-    /// Largest error left in the exchange of two elements.
+    /// The largest error of a factor.
     #[getter]
     fn accuracy_reached(&self) -> f64 {
-        self.factors.accuracy_reached
+        self.told.largest()
     }
 
     /// JSON of what walks found; None where they did not look.

@@ -241,3 +241,33 @@ fn closed_forms_are_told_to_round_and_nothing_looks_at_them() {
     let found: Value = serde_json::from_str(&text).expect("it is JSON");
     assert!(number(&found["errors"][3]) < 1e-15 && found["audit"].is_null() && !told.contains("checked"));
 }
+
+/// The wall of a can from a bottom: 1 less the opposite disk, 3 − 2 √2 at the distance of a diameter (Howell's
+/// catalogue, C-40).
+#[test]
+fn the_accuracy_that_is_told_of_factors_is_an_error_of_theirs() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("can.toml"), CAN).unwrap();
+    let exact = 2.0 * 2f64.sqrt() - 2.0;
+    for options in [&["--shadows", "off"][..], &["--eps", "1e-3"], &["--eps", "1e-6"]] {
+        let args = [&["view-factors", "can.toml", "--format", "json", "-q"], options].concat();
+        let [json, _] = done(folder.path(), &args);
+        let found: Value = serde_json::from_str(&json).unwrap();
+        let off = (number(&found["factors"][1][0]) - exact).abs();
+        let told = number(&found["accuracy_reached"]);
+        assert!(off <= 1.5 * told && told <= 1e-3, "{options:?}: {off:e} off, {told:e} told");
+    }
+}
+
+const CAN: &str = r#"
+[[surfaces]]
+name = "wall"
+flip = true
+cylinder = { base = [0,0,0], axis = [0,0,2], radius = 1 }
+[[surfaces]]
+name = "bottom"
+disk = { center = [0,0,0], normal = [0,0,1], radius = 1 }
+[[surfaces]]
+name = "top"
+disk = { center = [0,0,2], normal = [0,0,-1], radius = 1 }
+"#;

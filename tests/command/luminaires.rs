@@ -168,6 +168,12 @@ fn check_warns_of_luminaires_that_light_nothing() {
     }
     let above = warned(&ROOM.replace("[2, 2, 2.5]", "[2, 2, 3.5]"));
     assert!(above.contains("luminaire \"lamp\" lights no front"), "{above}");
+    // A sun that is far off, from where no ray of a few hundred all around meets the room.
+    let open = ROOM.replace("inward = true", "inward = true, open = [\"top\"]");
+    let far = warned(&open.replace("[2, 2, 2.5]", "[2, 2, 1e4]"));
+    assert!(!far.contains("lights no front"), "{far}");
+    let below = warned(&open.replace("[2, 2, 2.5]", "[2, 2, -1e4]"));
+    assert!(below.contains("luminaire \"lamp\" lights no front"), "{below}");
     fs::write(folder.path().join("lamp.ies"), TABLE).unwrap();
     let table = ROOM.replace("point = {}", "photometry = \"lamp.ies\"").replace("unit = \"lx\"\n", "");
     assert!(warned(&table).contains("state unit = \"lx\""), "{}", warned(&table));

@@ -5,4 +5,6 @@ mod shared;
 mod backs;
 mod curved;
 mod enclosures;
+mod levels;
+mod random;
 mod refusals;

@@ -32,7 +32,7 @@ mod roles;
 mod parts;
 mod figures;
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use radiosity_geom::Rect;
 use radiosity_scene::Scene;
@@ -70,6 +70,8 @@ pub struct HeatReferee {
     groups: Groups,
     roles: Roles,
     sheets: Vec<Sheet>,
+    /// Surfaces that heat neither gets to nor leaves, of which nothing is told.
+    without_level: BTreeSet<usize>,
     /// Mean of the known levels by absorbing area (W m⁻²); 0 where none is known.
     mean_level: f64,
 }
@@ -79,26 +81,28 @@ impl HeatReferee {
     ///
     /// # Errors
     /// Surfaces that transmit, without a temperature or a flux, without an emissivity that is needed, or
-    /// whose heat can end nowhere.
+    /// whose heat is given and can end nowhere.
     pub fn of(scene: &Scene) -> Result<Self, HeatFault> {
         let given = scene.surfaces.len();
         let scene = &scene.with_backs(&scene.one_sided());
         let mut roles = Roles::of(scene)?;
         let rays = Rays::of(scene);
         let mean_level = mean_level(&rays, &roles);
-        let (asked, within): (Vec<usize>, Vec<usize>) =
-            floating(&rays, &roles).into_iter().partition(|surface| *surface < given);
-        if !asked.is_empty() {
-            let name = |surface: usize| scene.surfaces[surface].name.clone();
-            return Err(HeatFault::NoLevel { surfaces: asked.into_iter().map(name).collect() });
+        let without_level: BTreeSet<usize> = floating(&rays, &roles).into_iter().collect();
+        let is_given = |surface: &&usize| **surface < given && !roles.is_adiabatic(**surface);
+        let name = |surface: &usize| scene.surfaces[*surface].name.clone();
+        let surfaces: Vec<String> = without_level.iter().filter(is_given).map(name).collect();
+        if !surfaces.is_empty() {
+            return Err(HeatFault::NoLevel { surfaces });
         }
-        // No heat gets to the backs within a body; a walk that slips in ends there.
-        for surface in within {
-            roles.list[surface] = Role::Temperature { emissivity: 1.0, level: mean_level };
+        // No heat gets to what is adiabatic and sees its like alone, as backs within a body; a walk that slips in ends
+        // there.
+        for surface in &without_level {
+            roles.list[*surface] = Role::Temperature { emissivity: 1.0, level: mean_level };
         }
         let sheet = |own: &roles::Pair| Sheet::new(&rays, own.sides, own.emissivities, own.flux);
         let sheets = roles.pairs.iter().map(sheet).collect();
-        Ok(Self { groups: Groups::of(scene), mean_level, sheets, rays, roles })
+        Ok(Self { groups: Groups::of(scene), mean_level, sheets, rays, roles, without_level })
     }
 
     /// The heat of these surfaces, by their indices in the scene, in order: the same on any number of threads
@@ -111,7 +115,11 @@ impl HeatReferee {
         let shifts = read(&self.rays, &[self.ground()], KINDS, &spots, effort, work);
         let read: BTreeMap<usize, &[Shift]> =
             asked.into_iter().zip(shifts.chunks_exact(Effort::SHIFTS)).collect();
-        surfaces.iter().map(|surface| self.estimate(*surface, &read)).collect()
+        let estimate = |surface: &usize| match self.without_level.contains(surface) {
+            true => HeatEstimate::of_nothing(*surface),
+            false => self.estimate(*surface, &read),
+        };
+        surfaces.iter().map(estimate).collect()
     }
 
     /// The surfaces whose irradiance tells the heat of this one.

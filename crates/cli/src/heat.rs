@@ -13,7 +13,7 @@ use radiosity_output::documents::heat as output;
 use radiosity_reading::accuracy_warning::{
     corrected, heat_unchecked, heat_underestimated, missed, no_error_of_cut,
 };
-use radiosity_reading::heat_remarks::{adiabatic_backs, light_without_heat};
+use radiosity_reading::heat_remarks::{adiabatic_backs, light_without_heat, without_level};
 use radiosity_request::HeatRequest;
 use radiosity_scene::Scene;
 use radiosity_work::digits::significant;
@@ -103,6 +103,13 @@ enum MatrixFormat {
     Npy,
     Npz,
 }
+
+/// What a network of conductances takes for granted.
+const NETWORK: &str = "in a network of conductances each surface has one temperature; in the balance that of a surface \
+                       of known flux varies over it, so that both differ there";
+
+/// Part of ε A below which a negative conductance is rounding, and not told. Chosen.
+const NO_CONDUCTANCE: f64 = 1e-12;
 
 /// Digits of the table on standard output. Chosen.
 const DIGITS: usize = 6;
@@ -200,6 +207,7 @@ fn findings(scene: &Scene, heat: &Heat, unchecked: Option<&HeatFault>) -> Vec<St
     let mut lines: Vec<String> = heat.moved.map(corrected).into_iter().collect();
     lines.extend(light_without_heat(scene));
     lines.extend(adiabatic_backs(&heat.usual_backs(scene)));
+    lines.extend(without_level(&heat.without_level));
     lines.push(format!(
         "surfaces send out {} W and take up {} W; {whole}",
         significant(given, 6),
@@ -210,6 +218,15 @@ fn findings(scene: &Scene, heat: &Heat, unchecked: Option<&HeatFault>) -> Vec<St
             "conductances: C_ij and C_ji differ by {:.1e} of ε A at the most; their means are written",
             conductances.asymmetry
         ));
+        if conductances.negative > NO_CONDUCTANCE {
+            lines.push(format!(
+                "conductances: negative ones, {:.1e} of ε A at the most, were made 0; the sums of rows were kept",
+                conductances.negative
+            ));
+        }
+        if heat.surfaces.iter().any(|own| own.is_flow_known && own.has_level()) {
+            lines.push(NETWORK.to_owned());
+        }
     }
     if let Some(worst) = heat.outcome.worst_error.filter(WorstError::is_real) {
         let surface = |element: usize| heat.outcome.solution.elements().list()[element].surface;

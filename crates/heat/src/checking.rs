@@ -34,7 +34,7 @@ impl Heat {
             return Ok(());
         }
         let checked = run.checked;
-        for own in &mut self.surfaces {
+        for own in self.surfaces.iter_mut().filter(|own| own.has_level()) {
             own.flow_error = checked.told(own.flow_error, None);
             own.temperature_error = checked.told(own.temperature_error, None);
         }

@@ -14,6 +14,7 @@ pub(super) fn radiant(scene: &Scene, roles: &Roles) -> Scene {
         }
         Role::Flux { flux, .. } => Coat { reflectance: 1.0, emission: flux },
         Role::Shield { emissivity, .. } => Coat { reflectance: 1.0 - emissivity, emission: emissivity },
+        Role::Idle { .. } => Coat { reflectance: 0.0, emission: 0.0 },
     })
 }
 

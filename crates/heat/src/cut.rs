@@ -117,6 +117,7 @@ fn reflected(role: &Role) -> f64 {
     match *role {
         Role::Temperature { emissivity, .. } | Role::Shield { emissivity, .. } => 1.0 - emissivity,
         Role::Flux { .. } => 1.0,
+        Role::Idle { .. } => 0.0,
     }
 }
 

@@ -12,19 +12,19 @@ pub enum HeatError {
     /// Surfaces of which neither temperature nor flux is known.
     #[error("neither a temperature nor a flux of heat is given for {}", listed(surfaces))]
     NoCondition {
-        /// Names of the surfaces.
+        /// What the surfaces are called.
         surfaces: Vec<String>,
     },
     /// Surfaces that need an emissivity.
     #[error("no emissivity is given for {}", listed(surfaces))]
     NoEmissivity {
-        /// Names of the surfaces.
+        /// What the surfaces are called.
         surfaces: Vec<String>,
     },
     /// Surfaces that let heat through.
     #[error("heat would pass through {}", listed(surfaces))]
     Transmits {
-        /// Names of the surfaces.
+        /// What the surfaces are called.
         surfaces: Vec<String>,
     },
     /// Surfaces that exchange heat with one another alone, all of known flux.
@@ -33,13 +33,13 @@ pub enum HeatError {
         listed(surfaces)
     )]
     NoLevel {
-        /// Names of the surfaces.
+        /// What the surfaces are called.
         surfaces: Vec<String>,
     },
     /// Surfaces from which more heat is drawn than arrives.
     #[error("more heat is drawn than arrives: no temperature is low enough for {}", listed(surfaces))]
     TooCold {
-        /// Names of the surfaces.
+        /// What the surfaces are called.
         surfaces: Vec<String>,
     },
     /// Conductances for which memory does not suffice.
@@ -93,11 +93,11 @@ impl HeatError {
     }
 }
 
-/// Names in quotes, the first ones of many.
-fn listed(names: &[String]) -> String {
-    let spelt: Vec<String> = names.iter().take(SPELT).map(|name| format!("{name:?}")).collect();
-    let more = names.len().saturating_sub(SPELT);
-    let of = if names.len() == 1 { "surface" } else { "surfaces" };
-    let rest = if more > 0 { format!(" and {more} more") } else { String::new() };
-    format!("{of} {}{rest}", spelt.join(", "))
+/// What surfaces are called, the first ones of many.
+pub(super) fn listed(called: &[String]) -> String {
+    let spelt = called[..called.len().min(SPELT)].join(", ");
+    match called.len().saturating_sub(SPELT) {
+        0 => spelt,
+        more => format!("{spelt} and {more} more"),
+    }
 }

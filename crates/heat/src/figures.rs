@@ -7,7 +7,7 @@ use radiosity_solve::Outcome;
 
 use super::black_body::{STEFAN_BOLTZMANN, kelvin, level};
 use super::error::HeatError;
-use super::roles::{Role, Roles};
+use super::roles::{Role, Roles, named};
 
 /// The heat of one surface. Fluxes and temperatures are means over it: T is that of the mean of σ T⁴.
 #[derive(Clone, Debug, serde::Serialize)]
@@ -18,7 +18,7 @@ pub struct SurfaceHeat {
     pub area: f64,
     /// Emissivity; None where none was given and none is needed.
     pub emissivity: Option<f64>,
-    /// Temperature (K).
+    /// Temperature (K); not a number where nothing sets its level, as the fields of light.
     pub temperature: f64,
     /// Whether that was given.
     pub is_temperature_known: bool,
@@ -71,40 +71,49 @@ pub(super) fn figures(
     let (areas, received) = (areas(elements), received(elements, &band.coefficients.irradiance));
     let figure = |surface: usize| {
         let (area, power) = (areas[surface], received[surface]);
-        let irradiance = if area > 0.0 { power / area } else { 0.0 };
+        let is_idle = matches!(roles.list[surface], Role::Idle { .. });
+        let irradiance = match area > 0.0 {
+            _ if is_idle => f64::NAN,
+            true => power / area,
+            false => 0.0,
+        };
         // All elements of a surface have the same coating; a surface without elements exchanges nothing.
         let own = elements.of_surface(surface).next();
         let radiosity = own.map_or(0.0, |element| band.coating.radiosity(element, [0.0; 2], irradiance, 0.0));
         let flux = match roles.list[surface] {
             Role::Flux { flux, .. } => flux,
-            _ => radiosity - irradiance,
-        };
-        let (emissivity, temperature) = match roles.list[surface] {
-            Role::Temperature { emissivity, kelvin } => (Some(emissivity), kelvin),
-            Role::Flux { emissivity, flux: 0.0 } => (emissivity, kelvin(irradiance)),
-            Role::Flux { emissivity, flux } => {
-                (emissivity, kelvin(irradiance + flux / emissivity.unwrap_or(1.0)))
+            Role::Idle { .. } => 0.0,
+            // As J − H, in which the digits of small emissivities are lost.
+            Role::Temperature { emissivity, kelvin } if own.is_some() => {
+                emissivity * (level(kelvin) - irradiance)
             }
-            Role::Shield { emissivity, .. } => (Some(emissivity), kelvin(irradiance + flux / emissivity)),
+            Role::Temperature { .. } | Role::Shield { .. } => radiosity - irradiance,
+        };
+        let temperature = match roles.list[surface] {
+            Role::Temperature { kelvin, .. } => kelvin,
+            Role::Flux { flux: 0.0, .. } => kelvin(irradiance),
+            Role::Flux { emissivity, flux } => kelvin(irradiance + flux / emissivity.unwrap_or(1.0)),
+            Role::Shield { emissivity, .. } => kelvin(irradiance + flux / emissivity),
+            Role::Idle { .. } => f64::NAN,
         };
         SurfaceHeat {
             name: scene.surfaces[surface].name.clone(),
             area,
-            emissivity,
+            emissivity: roles.list[surface].emissivity(),
             temperature,
             is_temperature_known: matches!(roles.list[surface], Role::Temperature { .. }),
-            is_flow_known: matches!(roles.list[surface], Role::Flux { .. }),
+            is_flow_known: matches!(roles.list[surface], Role::Flux { .. } | Role::Idle { .. }),
             flux,
             flow: flux * area,
             radiosity,
             irradiance,
-            temperature_error: 0.0,
+            temperature_error: if is_idle { f64::NAN } else { 0.0 },
             flow_error: 0.0,
         }
     };
     let all: Vec<SurfaceHeat> = (0..scene.surfaces.len()).map(figure).collect();
-    let cold = all.iter().filter(|surface| !surface.temperature.is_finite());
-    let surfaces: Vec<String> = cold.map(|surface| surface.name.clone()).collect();
+    let is_idle = |surface: usize| matches!(roles.list[surface], Role::Idle { .. });
+    let surfaces = named(scene, |surface, _| !is_idle(surface) && !all[surface].temperature.is_finite());
     if surfaces.is_empty() { Ok(all) } else { Err(HeatError::TooCold { surfaces }) }
 }
 
@@ -150,6 +159,11 @@ fn add_errors_of_irradiance(own: &mut SurfaceHeat, irradiance: f64) {
 }
 
 impl SurfaceHeat {
+    /// Whether something sets its level.
+    pub fn has_level(&self) -> bool {
+        self.temperature.is_finite()
+    }
+
     /// The error of the temperature (K) that one of its level (W m⁻²) makes: dT = d(σ T⁴) / (4 σ T³).
     pub(super) fn kelvin_of(&self, level: f64) -> f64 {
         let slope = 4.0 * STEFAN_BOLTZMANN * self.temperature.powi(3);

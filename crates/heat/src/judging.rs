@@ -63,7 +63,8 @@ impl Heat {
             other.is_some_and(|other| is_sheet(surface) && is_sheet(other))
         };
         let all = 0..scene.surfaces.len();
-        all.filter(|surface| self.surfaces[*surface].area > 0.0 && !is_second(*surface)).collect()
+        let can_be = |own: &SurfaceHeat| own.area > 0.0 && own.has_level();
+        all.filter(|surface| can_be(&self.surfaces[*surface]) && !is_second(*surface)).collect()
     }
 }
 

@@ -1,7 +1,8 @@
 //! Whether temperatures set the level of all parts of a scene.
 //!
 //! In a part of a scene whose surfaces exchange heat with one another alone, all of known flux, any constant
-//! may be added to σ T⁴: there is no balance, or there are many.
+//! may be added to σ T⁴: there is no balance, or there are many. Where all are adiabatic, nothing flows at any
+//! level, and none of the others takes part: the flows of the rest are as without them.
 
 use std::collections::BTreeMap;
 
@@ -11,17 +12,20 @@ use radiosity_scene::Scene;
 use radiosity_solve::{Model, Options};
 
 use super::error::HeatError;
-use super::roles::{Role, Roles};
+use super::roles::{Role, Roles, named};
 
 /// Share of its heat that a part has to lose to count as open, over the accuracy of the blocks: what it seems
 /// to lose by their errors alone is less. With a smaller value a closed part would pass, and its temperature
 /// be anything.
 const OPEN: f64 = 10.0;
 
-/// Refuses a scene with a part that has neither a temperature nor an opening.
-pub(super) fn require(
+/// Makes surfaces idle that neither gain nor lose heat and whose part has neither a temperature nor an opening.
+///
+/// # Errors
+/// Such a part in which heat is given.
+pub(super) fn settle(
     scene: &Scene,
-    roles: &Roles,
+    roles: &mut Roles,
     model: &Model,
     options: &Options,
 ) -> Result<(), HeatError> {
@@ -39,13 +43,17 @@ pub(super) fn require(
         part.area += element.area;
         part.kept += kept(index, element);
         part.has_temperature |= matches!(roles.list[element.surface], Role::Temperature { .. });
+        part.is_given |= !roles.is_adiabatic(element.surface);
     }
     let floats = |part: &Part| !part.has_temperature && part.kept > (1.0 - open) * part.area;
-    match sums.iter().find(|(_, part)| floats(part)) {
-        None => Ok(()),
+    sums.retain(|_, part| floats(part));
+    match sums.iter().find(|(_, part)| part.is_given) {
+        None => {
+            roles.idle(|surface| sums.contains_key(&parts[surface]));
+            Ok(())
+        }
         Some((floating, _)) => {
-            let names = scene.surfaces.iter().zip(&parts).filter(|(_, part)| *part == floating);
-            Err(HeatError::NoLevel { surfaces: names.map(|(surface, _)| surface.name.clone()).collect() })
+            Err(HeatError::NoLevel { surfaces: named(scene, |surface, _| parts[surface] == *floating) })
         }
     }
 }
@@ -57,6 +65,8 @@ struct Part {
     /// Power that reaches other elements of the part where all emit 1.
     kept: f64,
     has_temperature: bool,
+    /// Whether a temperature or a flux other than 0 is given.
+    is_given: bool,
 }
 
 /// For each surface the first surface of its part: surfaces that exchange heat, and sides of one shield.

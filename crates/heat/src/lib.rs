@@ -58,7 +58,7 @@ pub use error::HeatError;
 pub use figures::SurfaceHeat;
 use figures::{add_errors, add_errors_of_blocks, difference, figures};
 use forecast::Forecast;
-use roles::Roles;
+use roles::{Roles, named};
 
 /// Largest share of what surfaces exchange that may leave a scene that counts as closed, however large the errors are.
 /// Chosen.
@@ -76,6 +76,8 @@ pub struct Heat {
     /// The figures of each surface, in the order of the scene, and behind them those of backs of surfaces of one side
     /// that have a temperature, or that heat reaches.
     pub surfaces: Vec<SurfaceHeat>,
+    /// What surfaces are called whose level nothing sets: all are adiabatic, and exchange heat with one another alone.
+    pub without_level: Vec<String>,
     /// Flow (W) that leaves the scene, Σ Q; in a closed scene how well the balance closes.
     pub lost: f64,
     /// By how much sums of view factors missed 1 before they were made to be 1; None where the scene is not
@@ -133,14 +135,15 @@ impl Heat {
     /// sets; more heat drawn than arrives; too little memory; what [`radiosity_solve::solve()`] refuses.
     pub fn of(scene: &Scene, wanted: &HeatOptions, work: &Work<'_>) -> Result<Self, HeatError> {
         let scene = &wanted.options.in_threads(work.ranks, || backs::with_backs(scene))?;
-        let roles = Roles::of(scene)?;
-        let options = Options { direct: Direct::Projected, ..wanted.options };
-        let forecast = Forecast::of(scene, &roles, &options, work.ranks);
+        let mut roles = Roles::of(scene)?;
+        let tolerance = wanted.options.tolerance.max(roles.rounding(scene));
+        let options = Options { direct: Direct::Projected, tolerance, ..wanted.options };
         if wanted.conductances {
-            forecast.require_conductances()?;
+            Forecast::of(scene, &roles, &options, work.ranks).require_conductances()?;
         }
         let (surfaces, outcome, closure, conductances, cut) = {
             let model = Model::assemble(&all_emit(scene, &roles), &options, work)?;
+            levels::settle(scene, &mut roles, &model, &options)?;
             let Solved { model, mut outcome, closure } = solved(scene, &roles, model, &options, work)?;
             let surfaces = figures(scene, &roles, &outcome)?;
             // What rules or rays missed does not matter where sums tell it.
@@ -148,11 +151,13 @@ impl Heat {
             let conductances =
                 || options.in_threads(work.ranks, || Conductances::of(scene, &roles, &model, work))?;
             let conductances = wanted.conductances.then(conductances).transpose()?;
+            let forecast = Forecast::of(scene, &roles, &options, work.ranks);
             let cut = Cut::of(&roles, &model, &outcome).filter(|cut| forecast.fits(cut));
             (surfaces, outcome, closure, conductances, cut)
         };
         let mut heat = Self {
             lost: surfaces.iter().map(|surface| surface.flow).sum(),
+            without_level: named(scene, |surface, _| !surfaces[surface].has_level()),
             surfaces,
             moved: closure.moved,
             is_cut: cut.is_some(),
@@ -202,7 +207,7 @@ impl Heat {
     /// thousandth of what surfaces exchange.
     pub fn is_closed(&self) -> bool {
         let exchanged = |own: &SurfaceHeat| own.area * own.radiosity.max(own.irradiance);
-        let exchanged = self.surfaces.iter().map(exchanged).sum::<f64>();
+        let exchanged = self.surfaces.iter().filter(|own| own.has_level()).map(exchanged).sum::<f64>();
         let errors = self.surfaces.iter().map(|own| own.flow_error).sum::<f64>();
         self.lost.abs() <= ROUNDING * exchanged + errors.min(CLOSED * exchanged)
     }
@@ -210,7 +215,9 @@ impl Heat {
     /// Names of the surfaces of `scene`, of which this is the balance, whose backs heat reaches and are adiabatic
     /// because nothing else was said.
     pub fn usual_backs<'a>(&self, scene: &'a Scene) -> Vec<&'a str> {
-        let has_back = self.other_sides.iter().zip(&scene.surfaces);
+        let is_told = |own: &SurfaceHeat| own.has_level();
+        let has_back = self.other_sides.iter().map(|back| back.filter(|back| is_told(&self.surfaces[*back])));
+        let has_back = has_back.zip(&scene.surfaces);
         let is_usual =
             |surface: &SceneSurface| surface.other_side.is_none() && surface.thermal.back.is_none();
         let usual = has_back.filter(|(back, surface)| back.is_some() && is_usual(surface));
@@ -249,7 +256,6 @@ fn solved(
     options: &Options,
     work: &Work<'_>,
 ) -> Result<Solved, HeatError> {
-    levels::require(scene, roles, &model, options)?;
     let (model, closure) = options.in_threads(work.ranks, || close(scene, model, options))?;
     let radiant = radiant(scene, roles);
     let outcome = model.solve(&radiant, work)?;

@@ -5,7 +5,11 @@ use std::collections::HashMap;
 use radiosity_scene::backs::lie_together;
 use radiosity_scene::{Condition, Scene, SceneSurface};
 
+use super::black_body::level;
 use super::error::HeatError;
+
+/// Roundings that are left in a residual. Measured: one in a cube of emissivities of 1e-9.
+const ROUNDINGS: f64 = 2.0;
 
 /// Known quantity of a surface: its temperature or its flux.
 #[derive(Clone, Copy, Debug)]
@@ -17,6 +21,18 @@ pub(super) enum Role {
     Flux { emissivity: Option<f64>, flux: f64 },
     /// The flow of both sides of a sheet together; its index among the shields.
     Shield { emissivity: f64, shield: usize },
+    /// It neither gains nor loses heat, and nothing sets its level: it exchanges with others of its kind alone.
+    Idle { emissivity: Option<f64> },
+}
+
+impl Role {
+    /// The emissivity; None where none was given and none is needed.
+    pub(super) fn emissivity(&self) -> Option<f64> {
+        match *self {
+            Self::Temperature { emissivity, .. } | Self::Shield { emissivity, .. } => Some(emissivity),
+            Self::Flux { emissivity, .. } | Self::Idle { emissivity } => emissivity,
+        }
+    }
 }
 
 /// A sheet whose two sides have one unknown temperature.
@@ -76,12 +92,73 @@ impl Roles {
         };
         Ok(Self { list: scene.surfaces.iter().enumerate().map(role).collect(), shields })
     }
+
+    /// The relative residual that rounding leaves of the light of `scene`: where hardly anything is absorbed, far more
+    /// is on its way than is emitted,
+    ///
+    /// ```text
+    /// u ‖J‖ / ‖e‖ ,     ‖J‖ ≤ L (Σ A)^½ ,     L the largest known level ,     L = 1 and e = ε of each shield .
+    /// ```
+    pub(super) fn rounding(&self, scene: &Scene) -> f64 {
+        let areas: Vec<f64> = scene.surfaces.iter().map(|surface| surface.shape.area()).collect();
+        let all = areas.iter().sum::<f64>().sqrt();
+        let (mut largest, mut emitted, mut rounding) = (0.0, 0.0, 0.0);
+        for (role, area) in self.list.iter().zip(&areas) {
+            match *role {
+                Role::Temperature { emissivity, kelvin } => {
+                    largest = f64::max(largest, level(kelvin));
+                    emitted += area * (emissivity * level(kelvin)).powi(2);
+                }
+                Role::Flux { flux, .. } => emitted += area * flux * flux,
+                Role::Shield { emissivity, .. } => {
+                    rounding = f64::max(rounding, all / (emissivity * area.sqrt()));
+                }
+                Role::Idle { .. } => {}
+            }
+        }
+        if emitted > 0.0 {
+            rounding = rounding.max(largest * all / emitted.sqrt());
+        }
+        ROUNDINGS * f64::EPSILON * rounding
+    }
+
+    /// Whether a surface neither gains nor loses heat by itself; of a sheet, both sides together.
+    pub(super) fn is_adiabatic(&self, surface: usize) -> bool {
+        match self.list[surface] {
+            Role::Temperature { .. } => false,
+            Role::Flux { flux, .. } => flux == 0.0,
+            Role::Shield { shield, .. } => self.shields[shield].flux == 0.0,
+            Role::Idle { .. } => true,
+        }
+    }
+
+    /// Makes surfaces idle, both sides of sheets.
+    pub(super) fn idle(&mut self, is_idle: impl Fn(usize) -> bool) {
+        let list = self.list.iter_mut().enumerate().filter(|(surface, _)| is_idle(*surface));
+        list.for_each(|(_, role)| *role = Role::Idle { emissivity: role.emissivity() });
+        self.shields.retain(|shield| !is_idle(shield.sides[0]));
+        for (k, shield) in self.shields.iter().enumerate() {
+            for side in shield.sides {
+                if let Role::Shield { shield, .. } = &mut self.list[side] {
+                    *shield = k;
+                }
+            }
+        }
+    }
 }
 
-/// The names of the surfaces of which `holds` is true.
-fn named(scene: &Scene, holds: impl Fn(usize, &SceneSurface) -> bool) -> Vec<String> {
+/// What the surfaces of which `holds` is true are called.
+pub(super) fn named(scene: &Scene, holds: impl Fn(usize, &SceneSurface) -> bool) -> Vec<String> {
     let all = scene.surfaces.iter().enumerate().filter(|(index, surface)| holds(*index, surface));
-    all.map(|(_, surface)| surface.name.clone()).collect()
+    all.map(|(index, _)| called(scene, index)).collect()
+}
+
+/// What messages call a surface: by the name that was typed.
+pub(super) fn called(scene: &Scene, index: usize) -> String {
+    match scene.surfaces[index].other_side.filter(|front| *front < index) {
+        Some(front) => format!("the back of {:?}", scene.surfaces[front].name),
+        None => format!("{:?}", scene.surfaces[index].name),
+    }
 }
 
 /// The emissivity that is given, else 1 − ρ in scenes of a single band where ρ is the same all over the

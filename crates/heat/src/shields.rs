@@ -39,7 +39,7 @@ pub(super) fn levels(roles: &Roles, solution: &Solution) -> Vec<f64> {
     }
     let emissivity = |side: usize| match roles.list[side] {
         Role::Shield { emissivity, .. } => emissivity,
-        Role::Temperature { .. } | Role::Flux { .. } => 0.0,
+        Role::Temperature { .. } | Role::Flux { .. } | Role::Idle { .. } => 0.0,
     };
     let absorbed = |k: usize, light: &[f64]| -> f64 {
         roles.shields[k].sides.iter().map(|side| emissivity(*side) * light[*side]).sum()

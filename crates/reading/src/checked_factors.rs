@@ -20,6 +20,11 @@ impl CheckedFactors {
     /// Most rows that are judged. Chosen: the L2 mean of their factors is known to a tenth of itself.
     pub const ROWS: usize = 64;
 
+    /// The largest error of a factor.
+    pub fn largest(&self) -> f64 {
+        self.errors.iter().copied().fold(0.0, f64::max)
+    }
+
     /// The errors of factors, as far as the method tells.
     pub fn unjudged(factors: &ViewFactors) -> Self {
         Self { errors: factors.errors.clone(), checked: None }

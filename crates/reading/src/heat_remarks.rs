@@ -14,6 +14,20 @@ pub fn light_without_heat(scene: &Scene) -> Option<String> {
     ))
 }
 
+/// Words for surfaces whose level nothing sets, by what they are called; none where there are none.
+pub fn without_level(called: &[String]) -> Option<String> {
+    let [first, others @ ..] = called else { return None };
+    let who = match others {
+        [] => first.clone(),
+        [second] => format!("{first} and {second}"),
+        _ => format!("{first} and {} more", others.len()),
+    };
+    Some(format!(
+        "nothing sets the temperature of {who}: all are adiabatic and, as far as the transfers tell, exchange heat with \
+         one another alone; none is told, and no flow depends on it"
+    ))
+}
+
 /// Words for surfaces of one side whose backs heat reaches, and are adiabatic for want of another condition; none
 /// where there are none.
 pub fn adiabatic_backs(names: &[&str]) -> Option<String> {

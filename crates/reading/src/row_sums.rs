@@ -51,7 +51,7 @@ impl RowSums {
         let by_sum = |a: &usize, b: &usize| sums[*a].total_cmp(&sums[*b]);
         let row = |surface: usize| RowSum { surface: factors.names[surface].clone(), sum: sums[surface] };
         let shadows = if factors.rays > 0 { accuracy.shadow_eps } else { 0.0 };
-        let tolerance = FROM_ONE * accuracy.eps.max(shadows).max(factors.accuracy_reached);
+        let tolerance = FROM_ONE * accuracy.eps.max(shadows).max(factors.left_in_blocks);
         Self {
             surfaces: sums.len(),
             least: row((0..sums.len()).min_by(by_sum).expect("a scene has surfaces")),

@@ -81,9 +81,9 @@ pub struct ViewFactors {
     pub samples: u64,
     /// Segments tested for visibility.
     pub rays: u64,
-    /// Largest error that is left in the exchange of two elements
+    /// Largest error that is left in the exchange of two elements, relative to the scale of its block
     /// ([`radiosity_kernel::BlockStatistics::accuracy_reached`]).
-    pub accuracy_reached: f64,
+    pub left_in_blocks: f64,
     /// The two surfaces whose error is the largest multiple of what was asked.
     pub worst_error: Option<WorstError>,
     /// Wall time of the computation.
@@ -129,7 +129,7 @@ impl ViewFactors {
             pairs: blocks.statistics.pairs,
             samples: blocks.statistics.distinct,
             rays: blocks.statistics.rays,
-            accuracy_reached: blocks.statistics.accuracy_reached,
+            left_in_blocks: blocks.statistics.accuracy_reached,
             worst_error: blocks.statistics.worst_error.map(|worst| WorstError {
                 pair: worst.pair.map(|element| elements.list()[element].surface),
                 ..worst

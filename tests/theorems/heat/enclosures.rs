@@ -24,6 +24,24 @@ fn adiabatic_walls_pass_on_what_they_receive() {
     }
 }
 
+/// As networks: (1 − ε)/ε before floor and ceiling each, and between them 2/(1 + F₁₂) by the walls.
+#[test]
+fn enclosures_of_any_emissivity_are_in_balance() {
+    let between = 2.0 / (1.0 + 0.199_824_895_698_387);
+    for emissivity in [1.0, 1e-3, 1e-6, 1e-9] {
+        let heat = lumped(&CUBE.replace("emissivity = 1,", &format!("emissivity = {emissivity:e},")));
+        let flow = (level(1000.0) - level(500.0)) / (2.0 * (1.0 - emissivity) / emissivity + between);
+        for (name, flow) in [("floor", flow), ("ceiling", -flow)] {
+            let own = of(&heat, name);
+            let off = (own.flow - flow).abs();
+            assert!(off <= own.flow_error + 1e-10 * flow.abs(), "{emissivity}: {own:?} for {flow}");
+            // Where much is absorbed, what varies over walls is told, which networks leave out.
+            assert!(emissivity > 1e-6 || own.flow_error <= 1e-4 * flow.abs(), "{emissivity}: {own:?}");
+        }
+        assert!(heat.is_closed(), "{emissivity}: lost {}", heat.lost);
+    }
+}
+
 #[test]
 fn the_error_told_is_that_of_the_elements() {
     // A long room that is heated at one end, where nothing is symmetric.

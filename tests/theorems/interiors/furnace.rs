@@ -121,7 +121,7 @@ fn rows(scene: &Scene) -> Result<(f64, String), String> {
         threads: 2,
     };
     let factors = ViewFactors::new(scene, &options, &Work::alone()).map_err(|error| error.to_string())?;
-    let told = factors.accuracy_reached.max(EPS);
+    let told = factors.left_in_blocks.max(EPS);
     let offs = factors.row_sums().into_iter().map(|sum| (sum - 1.0).abs() * EPS / told);
     let worst = offs.zip(&factors.names).max_by(|a, b| a.0.total_cmp(&b.0)).expect("a scene has surfaces");
     Ok((worst.0, worst.1.clone()))

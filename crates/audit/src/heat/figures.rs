@@ -7,7 +7,7 @@ use crate::referee::Mean;
 use super::roles::{Role, STEFAN_BOLTZMANN};
 
 /// The heat of one surface, as means over what nothing stands on. Given numbers have the error 0; all are no
-/// numbers where a walk is caught among surfaces that absorb nothing.
+/// numbers where a walk is caught among surfaces that absorb nothing, or none of them ends.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct HeatEstimate {
     /// Index of the surface.
@@ -24,6 +24,14 @@ pub struct HeatEstimate {
     pub flow: Mean,
     /// Rays that were traced for it.
     pub rays: u64,
+}
+
+impl HeatEstimate {
+    /// No numbers.
+    pub(super) fn of_nothing(surface: usize) -> Self {
+        let none = Mean { value: f64::NAN, error: f64::NAN };
+        Self { surface, irradiance: none, level: none, temperature: none, flux: none, flow: none, rays: 0 }
+    }
 }
 
 /// The irradiance of a surface by one move of the lattice.

@@ -88,6 +88,15 @@ impl Roles {
         Ok(roles)
     }
 
+    /// Whether a surface neither gains nor loses heat by itself; of a sheet, both sides together.
+    pub(super) fn is_adiabatic(&self, surface: usize) -> bool {
+        match self.list[surface] {
+            Role::Temperature { .. } => false,
+            Role::Flux { flux, .. } => flux == 0.0,
+            Role::Sheet { sheet, .. } => self.pairs[sheet].flux == 0.0,
+        }
+    }
+
     /// Adds a side of a sheet whose other side may be known, and returns the number of the sheet.
     fn side(&mut self, [own, other]: [usize; 2], emissivity: f64, flux: f64) -> usize {
         match self.pairs.iter().rposition(|pair| pair.sides == [other, own]) {

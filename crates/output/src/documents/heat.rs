@@ -49,8 +49,8 @@ pub fn table(surfaces: &[SurfaceHeat], digits: usize) -> Table<'static> {
             Value::from(own.name.clone()),
             significant(own.area, GIVEN).into(),
             own.emissivity.map(|emissivity| significant(emissivity, GIVEN)).into(),
-            figure(own.is_temperature_known, own.temperature).into(),
-            error(own.is_temperature_known, own.temperature_error).into(),
+            own.has_level().then(|| figure(own.is_temperature_known, own.temperature)).into(),
+            own.has_level().then(|| error(own.is_temperature_known, own.temperature_error)).into(),
             figure(own.is_flow_known, own.flux).into(),
             figure(own.is_flow_known, own.flow).into(),
             error(own.is_flow_known, own.flow_error).into(),
@@ -111,9 +111,10 @@ pub fn conductances_csv(names: &[&str], conductances: &Conductances, out: impl W
 /// # Errors
 /// Errors of writing to `out`.
 pub fn conductances_json(names: &[&str], conductances: &Conductances, mut out: impl Write) -> io::Result<()> {
-    let Conductances { rows, lost, asymmetry } = conductances;
+    let Conductances { rows, lost, asymmetry, negative } = conductances;
     let document = serde_json::json!({
         "surfaces": names, "conductances": rows, "surroundings": lost, "asymmetry_max": asymmetry,
+        "negative_max": negative,
     });
     serde_json::to_writer(&mut out, &document)?;
     writeln!(out)

@@ -209,7 +209,7 @@ impl<'a> Document<'a> {
             row_sums: factors.row_sums(),
             errors: &told.errors,
             checked: told.checked.as_ref(),
-            accuracy_reached: factors.accuracy_reached,
+            accuracy_reached: told.largest(),
             kernel_samples: factors.samples,
             shadow_rays: factors.rays,
             seconds: factors.elapsed.as_secs_f64(),

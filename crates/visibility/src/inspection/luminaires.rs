@@ -1,7 +1,7 @@
 //! Luminaires whose light reaches no front, what is odd about their tables, and how far points err that are
 //! as large as their tables say.
 
-use radiosity_geom::{DVec3, Encounter, Ray};
+use radiosity_geom::{DVec3, Encounter, Ray, Rect, Surface};
 use radiosity_scene::{Distribution, Extent, Luminaire, Scene};
 use serde::Serialize;
 
@@ -9,8 +9,7 @@ use crate::inspection::warning::Warning;
 use crate::tolerances::OWN_END;
 use crate::{Shadows, Visibility, golden_spiral};
 
-/// Rays that look for a front that a luminaire lights: one that takes less than a 256th of all directions may
-/// be missed.
+/// Rays all around a luminaire that look for a front that it lights, before rays to each surface do.
 const RAYS: u32 = 256;
 
 /// Units of illuminance, in which the light of tables comes out.
@@ -52,7 +51,7 @@ pub(super) fn near_points(scene: &Scene) -> Vec<NearPoint> {
     }
     let visibility = Visibility::new(scene, Shadows::Rays, 1e-3);
     let near = |own: &Luminaire| {
-        let fronts = lit(own, &visibility).filter(|met| met.front);
+        let fronts = lit(own, around(own), &visibility).filter(|met| met.front);
         let nearest = fronts.min_by(|a, b| a.hit.t.total_cmp(&b.hit.t))?;
         let (width, distance) = (width(own), nearest.hit.t);
         (distance < FIVE_TIMES * width).then(|| NearPoint {
@@ -73,7 +72,7 @@ pub(super) fn odd(scene: &Scene) -> Vec<Warning> {
     }
     let visibility = Visibility::new(scene, Shadows::Rays, 1e-3);
     let of_each = scene.luminaires.iter().flat_map(|own| {
-        let dark = (own.emits() && !lights_a_front(own, &visibility)).then(|| {
+        let dark = (own.emits() && !lights_a_front(own, scene, &visibility)).then(|| {
             let message = "lights no front of a surface: it is within a body, behind a wall or outside the room; move it, \
                            or turn it";
             Warning::of_luminaire("unlit", &own.name, message)
@@ -83,15 +82,40 @@ pub(super) fn odd(scene: &Scene) -> Vec<Warning> {
     of_each.chain(unit(scene)).collect()
 }
 
-/// Whether a ray of its light meets a front, beyond the surface that it may be mounted on.
-fn lights_a_front(own: &Luminaire, visibility: &Visibility) -> bool {
-    lit(own, visibility).any(|met| met.front)
+/// Whether a ray of its light meets a front, beyond the surface that it may be mounted on: one of all directions, or
+/// one to a surface that is far off, or small.
+fn lights_a_front(own: &Luminaire, scene: &Scene, visibility: &Visibility) -> bool {
+    let towards = scene.surfaces.iter().flat_map(|surface| places(&*surface.shape));
+    lit(own, around(own), visibility).any(|met| met.front)
+        || lit(own, towards.map(|place| (place - own.position).normalize_or_zero()), visibility)
+            .any(|met| met.front)
 }
 
-/// First hits of rays of a luminaire's light, beyond the surface that it may be mounted on.
-fn lit(own: &Luminaire, visibility: &Visibility) -> impl Iterator<Item = Encounter> {
-    let around = (0..RAYS).map(direction);
-    let lit = [own.aim].into_iter().chain(around).filter(|direction| own.relative(*direction) > 0.0);
+/// Places on a surface that rays are sent to: a middle of each part.
+fn places(shape: &dyn Surface) -> Vec<DVec3> {
+    let middle = |corners: &Vec<DVec3>| corners.iter().sum::<DVec3>() / corners.len() as f64;
+    match shape.region() {
+        Some(region) => region.convex_pieces().iter().map(middle).collect(),
+        None => Rect::FULL
+            .quarters()
+            .map(|quarter| quarter.at(0.0, 0.0))
+            .map(|[u, v]| shape.jet(u, v).position)
+            .to_vec(),
+    }
+}
+
+/// The aim of a luminaire, and directions all around it.
+fn around(own: &Luminaire) -> impl Iterator<Item = DVec3> {
+    [own.aim].into_iter().chain((0..RAYS).map(direction))
+}
+
+/// First hits of rays of a luminaire's light in these directions, beyond the surface that it may be mounted on.
+fn lit(
+    own: &Luminaire,
+    directions: impl Iterator<Item = DVec3>,
+    visibility: &Visibility,
+) -> impl Iterator<Item = Encounter> {
+    let lit = directions.filter(|direction| own.relative(*direction) > 0.0);
     let start = OWN_END * visibility.bounds().diagonal();
     lit.filter_map(move |direction: DVec3| {
         let ray = Ray { range: [start, f64::INFINITY], ..Ray::new(own.position, direction) };
