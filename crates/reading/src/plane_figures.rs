@@ -1,6 +1,7 @@
 //! The figures of a plane of sensors, for the report and the summary.
 
 use radiosity_scene::SensorPlane;
+use radiosity_visibility::Surroundings;
 use serde::Serialize;
 
 use super::probe::ProbeReading;
@@ -114,13 +115,13 @@ impl PlaneFigures {
 /// Which of some readings count in their figures: those that lie in the room, and all where none does or nothing is
 /// closed.
 ///
-/// A sensor that meets backs more often than fronts lies outside, or in a solid. In a scene where no sensor is closed
-/// in, there is no outside.
+/// A sensor that meets backs more often than fronts, or no front at all, lies outside or in a solid. In a scene where no
+/// sensor is closed in, there is no outside.
 pub fn is_in_room(readings: &[ProbeReading]) -> Vec<bool> {
-    let has_room = readings.iter().any(|own| own.surroundings.are_closed() && !own.surroundings.are_backs());
-    let is_out =
-        |own: &ProbeReading| own.surroundings.are_backs() && (has_room || own.surroundings.are_closed());
-    let inside: Vec<bool> = readings.iter().map(|own| !is_out(own)).collect();
+    let is_out = |own: &Surroundings| own.backs > own.fronts || own.fronts == 0;
+    let around = || readings.iter().map(|reading| &reading.surroundings);
+    let has_room = around().any(|own| own.are_closed() && !is_out(own));
+    let inside: Vec<bool> = around().map(|own| !is_out(own) || !(has_room || own.are_closed())).collect();
     if inside.contains(&true) { inside } else { vec![true; readings.len()] }
 }
 
