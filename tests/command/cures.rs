@@ -4,6 +4,7 @@
 mod warnings;
 mod faults;
 mod commands;
+mod runs;
 
 use std::collections::BTreeSet;
 use std::path::Path;
@@ -114,27 +115,50 @@ fn typed(folder: &Path, line: &str) -> std::process::Output {
     radiosity(folder, &line.split(' ').collect::<Vec<_>>())
 }
 
-#[test]
-fn commands_that_are_refused_are_cured_as_the_message_says() {
-    let warm = CUBE.replace("emission = 1", "temperature = 300");
-    let files = [
+/// A folder with what the commands name.
+fn files() -> tempfile::TempDir {
+    folder(&[
         ("room.toml", CUBE),
-        ("warm.toml", &warm),
+        ("hung.toml", ROOM),
+        ("warm.toml", &CUBE.replace("emission = 1", "temperature = 300")),
         ("points.csv", "0,0,1,0,0,1\n"),
+        ("far.csv", "0,0,1,0,0,1\n9,0,0,0,0,1\n"),
         ("scene.dxf", "0\n"),
         ("scene.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"),
-    ];
-    let folder = folder(&files);
-    for row in commands::ROWS {
-        assert_refused(&typed(folder.path(), row.bad), row.told);
-    }
-    // Many rows have one cure.
-    let cured: BTreeSet<&str> = commands::ROWS.iter().map(|row| row.cured).collect();
+    ])
+}
+
+/// Runs the cured commands, of which many are one, and finds no warning.
+#[track_caller]
+fn assert_cured(rows: &[Typed]) {
+    let folder = files();
+    let cured: BTreeSet<&str> = rows.iter().map(|row| row.cured).collect();
     for line in cured {
         let output = typed(folder.path(), line);
         let told = String::from_utf8_lossy(&output.stderr);
         assert!(output.status.success() && !told.contains("warning: "), "{line}: {told}");
     }
+}
+
+#[test]
+fn commands_that_are_refused_are_cured_as_the_message_says() {
+    let folder = files();
+    for row in commands::ROWS {
+        assert_refused(&typed(folder.path(), row.bad), row.told);
+    }
+    assert_cured(commands::ROWS);
+}
+
+#[test]
+fn what_runs_warn_of_is_cured_as_the_warning_says() {
+    let folder = files();
+    for row in runs::ROWS {
+        let output = typed(folder.path(), row.bad);
+        let told = String::from_utf8_lossy(&output.stderr);
+        let is_told = |line: &str| row.told.iter().all(|part| line.contains(part));
+        assert!(told.lines().any(|line| line.starts_with("warning: ") && is_told(line)), "{told}");
+    }
+    assert_cured(runs::ROWS);
 }
 
 /// A ball that rests on the floor, a partition that reaches a centimetre into a wall, a globe of two sides about a lamp:

@@ -5,7 +5,7 @@
 //! | quick | 2 | 5e-2 | 0.2 | 1/8 | 2e-3 | 5e-3 | 3, 1 |
 //! | default | 3 | 1e-3 | 3e-3 | 1 | 1.25e-3 | 5e-3 | 4, 2 |
 //! | fine | 4 | 1e-3 | 3e-3 | 4 | 7e-4 | 2.5e-3 | 4, 2 |
-//! | finest | 4 | 1e-3 | 3e-3 | 16 | 4e-4, twice | 1.25e-3, twice | 4, 3 |
+//! | finest | 4 | 1e-3 | 3e-3 | 8 | 4e-4, twice | 1.25e-3, twice | 4, 3 |
 //!
 //! Rays are multiples of the usual number; more rays carry polynomials on finer elements. Points are those of direct
 //! and of gathered light.
@@ -67,7 +67,7 @@ impl Quality {
             Self::Quick => (2, 5e-2, 0.2, 1),
             Self::Default => return Options::default(),
             Self::Fine => (4, 1e-3, 3e-3, 4),
-            Self::Finest => (4, 1e-3, 3e-3, 16),
+            Self::Finest => (4, 1e-3, 3e-3, 8),
         };
         Options { order, eps, shadow_eps, finer_rays, ..Options::default() }
     }

@@ -23,11 +23,6 @@ pub struct Surroundings {
 }
 
 impl Surroundings {
-    /// Whether backs are met more often than fronts: outside, and in a solid.
-    pub fn are_backs(&self) -> bool {
-        self.backs > self.fronts
-    }
-
     /// Whether something is met in all directions.
     pub fn are_closed(&self) -> bool {
         self.open == 0
