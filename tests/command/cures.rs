@@ -121,8 +121,8 @@ fn files() -> tempfile::TempDir {
         ("room.toml", CUBE),
         ("hung.toml", ROOM),
         ("warm.toml", &CUBE.replace("emission = 1", "temperature = 300")),
-        ("points.csv", "0,0,1,0,0,1\n"),
-        ("far.csv", "0,0,1,0,0,1\n9,0,0,0,0,1\n"),
+        ("points.csv", "0.5,0.5,0.5,0,0,1\n"),
+        ("far.csv", "0.5,0.5,0.5,0,0,1\n9,0,0,0,0,1\n"),
         ("scene.dxf", "0\n"),
         ("scene.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"),
     ])
