@@ -18,7 +18,7 @@ from .tables import plane_array, points_frame
 class Plane(Kept):
     """The irradiance (the scene's unit) on a plane of sensors, rows along its first edge and columns along its second."""
 
-    _KEPT = ("name", "values", "errors", "mean_error", "checked", "points", "normal", "figures", "dark")
+    _KEPT = ("name", "values", "errors", "mean_error", "checked", "points", "normal", "figures", "left_out", "dark")
 
     def __init__(self, native: _radiosity.Plane, scene: _radiosity.Scene) -> None:
         self._native: _radiosity.Plane = native
@@ -92,8 +92,13 @@ class Plane(Kept):
         return self._figures[:, 4]
 
     @property
+    def left_out(self) -> int:
+        """How many sensors lie outside of the room or in solids: the figures leave them out."""
+        return self._native.left_out
+
+    @property
     def dark(self) -> int:
-        """How many sensors get no light, as those within a body do."""
+        """How many of the other sensors get no light."""
         return self._native.dark
 
     def __array__(self, dtype: Any = None, copy: bool | None = None) -> NDArray[Any]:

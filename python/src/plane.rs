@@ -46,7 +46,7 @@ pub(crate) struct Plane {
 
 impl Plane {
     pub(crate) fn new(plane: SensorPlane, scene: &Scene, told: Told<ProbeReading>) -> Self {
-        let figures = PlaneFigures::of(&plane, &scene.bands, &told.readings).erring(&told.errors);
+        let figures = PlaneFigures::of(&plane, &scene.bands, &told.readings, &told.errors);
         Self { plane, bands: scene.bands.len(), told, figures }
     }
 
@@ -119,7 +119,13 @@ impl Plane {
         self.of_bands().into_iter().map(numbers).collect()
     }
 
-    /// Number of sensors that get no light.
+    /// Number of sensors outside of the room or in solids, which the figures leave out.
+    #[getter]
+    fn left_out(&self) -> usize {
+        self.figures.left_out
+    }
+
+    /// Number of the other sensors that get no light.
     #[getter]
     fn dark(&self) -> usize {
         self.figures.dark

@@ -5,6 +5,7 @@ use std::{fs, path::Path, process::Command};
 use radiosity::work::ranks::Ranks;
 use radiosity::{elements::Discretization, solve::driver::memory_estimate::MemoryEstimate};
 use radiosity_solvers::method::Method;
+use radiosity_test_support::data::number;
 use radiosity_test_support::folders::{folder, json, names};
 use radiosity_test_support::scenes::builtin;
 use serde_json::Value;
@@ -582,4 +583,22 @@ fn the_report_tells_what_carried_the_light_and_how_well() {
     let finer = transport(&["--transport", "sampled", "--accuracy", "0.015"]);
     assert!(finer["error"].as_f64().unwrap() <= 0.015, "{finer}");
     assert!(finer["rays"].as_u64().unwrap() > 50_000);
+}
+
+/// Where rays carry the light, a finer quality sends more of them, on more elements.
+#[test]
+fn finer_qualities_send_more_rays_on_finer_elements() {
+    let folder = tempfile::tempdir().unwrap();
+    let of = |quality: &str| {
+        let args = ["solve", "teapot", "--quality", quality, "--report", "r.json", "-o", "t.json"];
+        program::done(folder.path(), &args);
+        let report = json(&folder.path().join("r.json"));
+        assert_eq!(report["transport"]["kind"], "sampled");
+        [number(&report["transport"]["rays"]), number(&report["elements"])]
+    };
+    let [quick, usual, fine] = ["quick", "default", "fine"].map(of);
+    for k in [0, 1] {
+        assert!(quick[k] < usual[k] && usual[k] < fine[k], "{quick:?}, {usual:?}, {fine:?}");
+    }
+    assert!((fine[0] / usual[0] - 4.0).abs() < 0.1, "{usual:?}, {fine:?}");
 }

@@ -91,3 +91,28 @@ fn what_is_left_as_it_is_needs_no_repair_under_strict() {
     let strict = radiosity(folder.path(), &["check", "fold.obj", "--strict"]);
     assert_eq!(strict.status.code(), Some(1));
 }
+
+/// Two plates that face each other, one of which shines; the other is glossy.
+const GLOSSY: &str = r#"<scene version="3.0.0">
+  <sensor type="perspective">
+    <float name="fov" value="45"/>
+    <transform name="to_world"><lookat origin="0, 1, 3" target="0, 1, 0" up="0, 1, 0"/></transform>
+  </sensor>
+  <bsdf type="roughplastic" id="plastic"><rgb name="diffuse_reflectance" value="0.2, 0.3, 0.7"/></bsdf>
+  <shape type="rectangle"><transform name="to_world"><rotate x="1" angle="-90"/></transform><ref id="plastic"/></shape>
+  <shape type="rectangle"><transform name="to_world"><rotate x="1" angle="90"/><translate y="2"/></transform>
+    <bsdf type="diffuse"><rgb name="reflectance" value="0.5"/></bsdf>
+    <emitter type="area"><rgb name="radiance" value="12"/></emitter></shape>
+</scene>
+"#;
+
+#[test]
+fn what_is_left_out_does_not_end_in_nothing_looks_wrong() {
+    let plain = GLOSSY.replace("roughplastic", "diffuse").replace("diffuse_reflectance", "reflectance");
+    let folder = folder(&[("glossy.xml", GLOSSY), ("plain.xml", &plain)]);
+    let [found, _] = done(folder.path(), &["check", "glossy.xml"]);
+    assert!(found.contains("specular reflection is left out"), "{found}");
+    assert!(found.ends_with("parts of the file were left out: see the line above\n"), "{found}");
+    let [found, _] = done(folder.path(), &["check", "plain.xml"]);
+    assert!(found.ends_with("nothing looks wrong\n"), "{found}");
+}

@@ -9,6 +9,7 @@ mod bad_input;
 mod behaviour;
 mod builtin;
 mod checkpoint;
+mod cures;
 mod exact_factors;
 mod fitted;
 mod floor;

@@ -47,20 +47,116 @@ fn furnaces_are_uniform() {
 
 /// Of four sensors in a row two stand in the cube, where E = 2, and two outside, where nothing shines.
 #[test]
-fn sensors_without_light_count_and_are_told() {
+fn sensors_outside_of_the_room_are_left_out_and_told() {
     let folder = tempfile::tempdir().unwrap();
     let plane = "-0.5,0.25,0.5; 2,0,0; 0,0.5,0; 0.5";
     let done = done(folder.path(), &["probe", "furnace-cube", "--plane", plane]);
     let figures = &done.report["planes"][0];
-    assert_eq!((number(&figures["points"]), number(&figures["dark"])), (4.0, 2.0));
-    assert!((number(&figures["mean"]) - 1.0).abs() < 2e-3, "{figures}");
-    assert!(number(&figures["u0"]).abs() < 1e-9);
-    assert!(
-        done.told.contains("warning: 2 of the 4 sensors of plane \"plane-1\" get no light"),
-        "{}",
-        done.told
+    assert_eq!(counts(figures), [2.0, 2.0, 0.0]);
+    assert!((number(&figures["mean"]) / 2.0 - 1.0).abs() < 2e-3, "{figures}");
+    assert!((number(&figures["u0"]) - 1.0).abs() < 2e-3, "{figures}");
+    assert!(done.told.contains("; without 2 outside of the room or in solids"), "{}", done.told);
+    assert_eq!(done.lines.len(), 1 + 4, "all stay in the table");
+}
+
+/// Points that count, points that are left out, and dark ones among the first.
+fn counts(figures: &Value) -> [f64; 3] {
+    ["points", "left_out", "dark"].map(|key| number(&figures[key]))
+}
+
+/// A scene of grey surfaces that emit 1 W/m² and reflect half: in a closed room E = 2 W/m² everywhere.
+fn furnace(plane: &str, surfaces: &[&str]) -> String {
+    let surface = |shape: &&str| format!("[[surfaces]]\nmaterial = \"wall\"\n{shape}\n");
+    let surfaces: String = surfaces.iter().map(surface).collect();
+    format!(
+        "[planes.all]\n{plane}\nspacing = 0.5\n[materials.wall]\nreflectance = 0.5\nemission = 1\n{surfaces}"
+    )
+}
+
+#[track_caller]
+fn assert_counts(scene: &str, expected: [f64; 3], mean: Option<f64>) {
+    let folder = folder(&[("room.toml", scene)]);
+    let done = done(folder.path(), &["probe", "room.toml", "--planes"]);
+    let figures = &done.report["planes"][0];
+    assert_eq!(counts(figures), expected, "{}", done.told);
+    if let Some(mean) = mean {
+        assert!((number(&figures["mean"]) / mean - 1.0).abs() < 2e-3, "{figures}");
+        assert!((number(&figures["u0"]) - 1.0).abs() < 5e-3, "{figures}");
+    }
+}
+
+/// Of 12 × 12 sensors over a room of 6 m × 6 m the 6 × 6 in the corner that is cut out do not count.
+#[test]
+fn sensors_beyond_the_walls_of_a_room_of_l_shape_are_left_out() {
+    let scene = furnace(
+        "origin = [0, 0, 0.75]\nedges = [[6, 0, 0], [0, 6, 0]]",
+        &[
+            "polygon = { vertices = [[0,0,0], [6,0,0], [6,3,0], [3,3,0], [3,6,0], [0,6,0]] }",
+            "polygon = { vertices = [[0,6,3], [3,6,3], [3,3,3], [6,3,3], [6,0,3], [0,0,3]] }",
+            "quad = { vertices = [[6,0,0], [0,0,0], [0,0,3], [6,0,3]] }",
+            "quad = { vertices = [[6,3,0], [6,0,0], [6,0,3], [6,3,3]] }",
+            "quad = { vertices = [[3,3,0], [6,3,0], [6,3,3], [3,3,3]] }",
+            "quad = { vertices = [[3,6,0], [3,3,0], [3,3,3], [3,6,3]] }",
+            "quad = { vertices = [[0,6,0], [3,6,0], [3,6,3], [0,6,3]] }",
+            "quad = { vertices = [[0,0,0], [0,6,0], [0,6,3], [0,0,3]] }",
+        ],
     );
+    assert_counts(&scene, [108.0, 36.0, 0.0], Some(2.0));
+}
+
+/// A box of 1 m × 1.5 m takes the places of 2 × 3 of 8 × 8 sensors, with a bottom or open on the floor.
+#[test]
+fn sensors_in_a_solid_are_left_out() {
+    let plane = "origin = [0, 0, 0.5]\nedges = [[4, 0, 0], [0, 4, 0]]";
+    let room = "box = { origin = [0, 0, 0], size = [4, 4, 3], inward = true }";
+    for open in ["", ", open = [\"bottom\"]"] {
+        let solid = format!("box = {{ origin = [1, 1, 0], size = [1, 1.5, 1]{open} }}");
+        assert_counts(&furnace(plane, &[room, &solid]), [58.0, 6.0, 0.0], Some(2.0));
+        // A table of one side, and a room without a ceiling: what sees some backs, or the open, counts.
+        let table = "quad = { vertices = [[2.5,2.5,0.6], [3.5,2.5,0.6], [3.5,3.5,0.6], [2.5,3.5,0.6]] }";
+        assert_counts(&furnace(plane, &[room, &solid, table]), [58.0, 6.0, 0.0], None);
+        let roofless = room.replace("inward = true", "inward = true, open = [\"top\"]");
+        assert_counts(&furnace(plane, &[&roofless, &solid]), [58.0, 6.0, 0.0], None);
+    }
+}
+
+/// Between a floor and a lamp over it, under the one and above the other: nothing is closed, all 8 × 4 count, those
+/// that see backs as well.
+#[test]
+fn in_the_open_no_sensor_is_left_out() {
+    let scene = furnace(
+        "origin = [-1, 1, -0.5]\nedges = [[0, 0, 2], [4, 0, 0]]",
+        &[
+            "quad = { vertices = [[0,0,0], [2,0,0], [2,2,0], [0,2,0]] }",
+            "quad = { vertices = [[0,0,1], [0,2,1], [2,2,1], [2,0,1]] }",
+        ],
+    );
+    let folder = folder(&[("open.toml", &scene)]);
+    let figures = &done(folder.path(), &["probe", "open.toml", "--planes"]).report["planes"][0];
+    assert_eq!(counts(figures)[..2], [32.0, 0.0]);
+}
+
+/// Under a floor nothing shines: a plane that no sensor sees a front from keeps them, with a warning.
+#[test]
+fn dark_sensors_in_the_open_are_told() {
+    let scene = furnace(
+        "origin = [0.5, 0.5, -1]\nedges = [[1, 0, 0], [0, 1, 0]]",
+        &["quad = { vertices = [[0,0,0], [2,0,0], [2,2,0], [0,2,0]] }"],
+    );
+    let folder = folder(&[("open.toml", &scene)]);
+    let done = done(folder.path(), &["probe", "open.toml", "--planes"]);
+    assert_eq!(counts(&done.report["planes"][0]), [4.0, 0.0, 4.0]);
+    assert!(done.told.contains("warning: 4 of the 4 sensors of plane \"all\" get no light"), "{}", done.told);
     assert_eq!(done.report["warnings"][0]["code"], "dark-sensors");
+}
+
+#[test]
+fn points_outside_of_the_room_are_told() {
+    let points = "0.5,0.5,0.5,0,0,1\n9,0,0,0,0,1\n0.2,0.2,0,0,0,1\n";
+    let folder = folder(&[("p.csv", points)]);
+    let done = done(folder.path(), &["probe", "furnace-cube", "--points", "p.csv"]);
+    let told = "warning: 1 of the 3 points lie outside of the room or in solids: move them";
+    assert!(done.told.contains(told), "{}", done.told);
 }
 
 /// A disk of 8000 lm/m² and radius 0.2 that shines down from 1.5 on a plane at 0.75, and nothing else.

@@ -85,7 +85,7 @@ fn lines(scene: &Scene, inspection: &Inspection) -> Vec<String> {
     lines.push(format!("camera: {}", camera.as_deref().unwrap_or("none")));
     lines.extend(scene.planes.iter().map(|plane| format!("plane: {}", plane_line(plane))));
     lines.extend(warning_lines(warnings));
-    lines.extend(warnings.is_empty().then(|| "nothing looks wrong".to_owned()));
+    lines.extend(warnings.is_empty().then(|| nothing_wrong(scene)));
     lines
 }
 
@@ -396,6 +396,20 @@ fn numbers(numbers: &[f64]) -> String {
     let equal = numbers.iter().all(|number| *number == numbers[0]);
     let shown = if equal { &numbers[..1] } else { numbers };
     shown.iter().map(f64::to_string).collect::<Vec<_>>().join(", ")
+}
+
+/// The end of findings without a warning, which does not pass over what an import left out.
+fn nothing_wrong(scene: &Scene) -> String {
+    match scene.imported().map_or(0, |imported| imported.notes.len()) {
+        0 => "nothing looks wrong".to_owned(),
+        count => {
+            format!("nothing else looks wrong, but parts of the file were left out: {}", lines_above(count))
+        }
+    }
+}
+
+fn lines_above(count: usize) -> String {
+    if count == 1 { "see the line above".to_owned() } else { format!("see the {count} lines above") }
 }
 
 fn camera_line(camera: &Camera, middle: DVec3) -> String {

@@ -40,7 +40,7 @@ normal points to, and its radiosity is printed as well.
 A plane has its name from the scene (docs/scene.md), or is typed: origin, two edges, and the largest spacing of sensors, one \
 number or one along each edge. Sensors stand in the middles of equal cells and receive along the first edge × the second. \
 The summary and the report have the mean, the least and the greatest value, and the uniformities U0 = min/mean (EN 12464-1) and \
-Ud = min/max.
+Ud = min/max. Sensors outside of the room and in solids stay in the table, but are left out of these figures.
 
 Examples:
   echo 278,100,200,0,1,0 | radiosity probe cornell-box --points -
@@ -154,13 +154,16 @@ pub(crate) fn run(
     let planes = sensors.by_plane(&readings);
     let figures = planes.map(|on| {
         let errors = &errors[on.first..on.first + on.items.len()];
-        PlaneFigures::of(on.plane, &scene.bands, on.items).erring(errors)
+        PlaneFigures::of(on.plane, &scene.bands, on.items, errors)
     });
     let figures = figures.collect();
     run.add_checked(checked.map(|own| own.checked), reading.read);
     run.take_error_of_walks(readings.iter().map(|reading| (&reading.irradiance[..], reading.deviation)));
     run.add_read_error(ReadError::of(readings.iter().map(|reading| reading.deviation)), reading.eps);
     run.add_planes(figures);
+    if let Sensors::Points(_) = sensors {
+        run.add_points(&readings);
+    }
     run.finish((!written.is_empty()).then(|| written.join(" and ")).as_deref())
 }
 

@@ -12,6 +12,7 @@ use clap::Args;
 use radiosity_reading::checkpoint::Checkpoint;
 use radiosity_reading::exposure::Exposure;
 use radiosity_reading::plane_figures::PlaneFigures;
+use radiosity_reading::probe::ProbeReading;
 use radiosity_reading::quality::ReadSettings;
 use radiosity_reading::rank_work::RanksWork;
 use radiosity_reading::read_error::ReadError;
@@ -234,6 +235,11 @@ impl Run {
     /// Adds the figures of planes to the summary and to the report.
     pub(crate) fn add_planes(&mut self, planes: Vec<PlaneFigures>) {
         self.report.add_planes(planes);
+    }
+
+    /// Warns of points outside of the room.
+    pub(crate) fn add_points(&mut self, readings: &[ProbeReading]) {
+        self.report.add_points(readings);
     }
 
     /// Takes the error of readings by walks, if light had to be read so: their deviations, of which each reading has

@@ -11,11 +11,17 @@ use toml::{
     de::{DeTable, DeValue},
 };
 
+/// Message of the parser where a key stands twice.
+const DUPLICATE: &str = "duplicate key";
+
 /// Parses a TOML document.
 pub(super) fn parse(text: &str) -> Result<Node, Located> {
     let table = DeTable::parse(text).map_err(|error| {
         let cause = format!("syntax error: {}", error.message());
-        let cure = "TOML wants `key = value`, texts in quotes, and lists in brackets with commas";
+        let cure = match error.message() {
+            DUPLICATE => "keep one of them",
+            _ => "TOML wants `key = value`, texts in quotes, and lists in brackets with commas",
+        };
         let fault = Fault::new(FaultKind::Syntax, cause, cure);
         Located::at(&error.span().unwrap_or(0..0), fault)
     })?;

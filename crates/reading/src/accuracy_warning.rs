@@ -4,7 +4,10 @@ use radiosity_audit::{Checked, HeatFault};
 use radiosity_kernel::WorstError;
 use radiosity_transport::FINEST_BY_RAYS;
 use radiosity_work::digits::significant;
-use radiosity_work::wording::{Wording, option, words};
+use radiosity_work::wording::{Wording, option, set, words};
+
+/// Accuracy that rays reach with fewer of them, over the error that they leave. Chosen: as that error is known.
+const REACHED: f64 = 2.0;
 
 /// Words for the error that is left in the transfers between two surfaces, and the cure.
 pub fn missed(worst: &WorstError, [one, other]: [&str; 2]) -> Wording {
@@ -14,11 +17,12 @@ pub fn missed(worst: &WorstError, [one, other]: [&str; 2]) -> Wording {
     };
     let cure = match worst.by_rays {
         true if worst.asked > FINEST_BY_RAYS => {
+            let reached = format!("{:.0e}", REACHED * worst.error);
             words("a smaller ")
                 + option("eps")
-                + ", and "
-                + option("shadow-eps")
-                + " where it is given, sends more rays"
+                + " sends more rays, and "
+                + set("shadow-eps", reached)
+                + " asks for no more than these reach"
         }
         true => words("rays cannot do better, an ") + option("eps") + " below 1e-5 sends no more of them",
         false => words("subdivide these surfaces, or ask for less"),

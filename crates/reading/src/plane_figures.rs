@@ -1,6 +1,7 @@
 //! The figures of a plane of sensors, for the report and the summary.
 
 use radiosity_scene::SensorPlane;
+use radiosity_visibility::Surroundings;
 use serde::Serialize;
 
 use super::probe::ProbeReading;
@@ -16,9 +17,11 @@ const DARK: f64 = 1e-9;
 pub struct PlaneFigures {
     /// Name of the plane.
     pub name: String,
-    /// Number of its sensors.
+    /// Number of the sensors that the figures are of.
     pub points: usize,
-    /// Number of sensors that get no light: those within a body, as a rule.
+    /// Number of sensors outside of the room or within solids ([`is_in_room`]), which the figures leave out.
+    pub left_out: usize,
+    /// Number of sensors among `points` that get no light.
     pub dark: usize,
     /// Error that is told of the mean, in the unit of the readings, root mean square over the bands: that of
     /// their sensors, which it does not exceed. None where none is told.
@@ -53,10 +56,12 @@ pub struct NamedFigures {
 }
 
 impl PlaneFigures {
-    /// The figures of a plane's `readings` in `bands`.
-    pub fn of(plane: &SensorPlane, bands: &[String], readings: &[ProbeReading]) -> Self {
+    /// The figures of a plane's `readings` in `bands`, with the `errors` that are told of them.
+    pub fn of(plane: &SensorPlane, bands: &[String], readings: &[ProbeReading], errors: &[f64]) -> Self {
+        let is_in_room = is_in_room(readings);
+        let inside = in_room(readings, &is_in_room);
         let figures =
-            |band: usize| Uniformity::of(readings.iter().map(move |reading| reading.irradiance[band]));
+            |band: usize| Uniformity::of(inside.iter().map(move |reading| reading.irradiance[band]));
         let named = |(k, band): (usize, &String)| NamedFigures { band: band.clone(), figures: figures(k) };
         let figures = match bands.len() {
             1 => BandFigures::One(figures(0)),
@@ -64,26 +69,20 @@ impl PlaneFigures {
         };
         Self {
             name: plane.name().to_owned(),
-            points: readings.len(),
-            dark: dark(readings),
-            error: None,
+            points: inside.len(),
+            left_out: readings.len() - inside.len(),
+            dark: dark(&inside),
+            error: root_mean_square(&in_room(errors, &is_in_room)),
             figures,
         }
-    }
-
-    /// The figures with the error that follows from those of the sensors.
-    #[must_use]
-    pub fn erring(self, errors: &[f64]) -> Self {
-        let squares: f64 = errors.iter().map(|error| error * error).sum();
-        Self { error: Some((squares / errors.len().max(1) as f64).sqrt()), ..self }
     }
 
     /// A warning where sensors get no light, which a plane that goes through furniture has.
     pub fn warning(&self) -> Option<Warning> {
         let message = || {
             format!(
-                "{} of the {} sensors of plane {:?} get no light, as sensors within a body do, and count in its figures: move \
-                 the plane, or read several planes around what stands in it",
+                "{} of the {} sensors of plane {:?} get no light and count in its figures: move the plane, or read several \
+                 planes around what stands in it",
                 self.dark, self.points, self.name
             )
         };
@@ -93,23 +92,60 @@ impl PlaneFigures {
     /// A line for each band, with values in `unit`.
     pub fn lines(&self, unit: &str) -> Vec<String> {
         let Self { name, points, figures, .. } = self;
+        let line = |named: String, figures: &Uniformity| {
+            let text = figures.text(unit);
+            format!("plane {named}: {points} points, {text}{}", self.left_out_text())
+        };
         match figures {
-            BandFigures::One(figures) => {
-                vec![format!("plane {name}: {points} points, {}", figures.text(unit))]
-            }
+            BandFigures::One(figures) => vec![line(name.clone(), figures)],
             BandFigures::Several { bands } => {
-                let line = |NamedFigures { band, figures }: &NamedFigures| {
-                    format!("plane {name}, band {band}: {points} points, {}", figures.text(unit))
-                };
-                bands.iter().map(line).collect()
+                bands.iter().map(|own| line(format!("{name}, band {}", own.band), &own.figures)).collect()
             }
+        }
+    }
+
+    fn left_out_text(&self) -> String {
+        match self.left_out {
+            0 => String::new(),
+            count => format!("; without {count} outside of the room or in solids"),
         }
     }
 }
 
+/// Which of some readings count in their figures: those that lie in the room, and all where none does or nothing is
+/// closed.
+///
+/// A sensor that meets backs more often than fronts, or no front at all, lies outside or in a solid. In a scene where no
+/// sensor is closed in, there is no outside.
+pub fn is_in_room(readings: &[ProbeReading]) -> Vec<bool> {
+    let is_out = |own: &Surroundings| own.backs > own.fronts || own.fronts == 0;
+    let around = || readings.iter().map(|reading| &reading.surroundings);
+    let has_room = around().any(|own| own.are_closed() && !is_out(own));
+    let inside: Vec<bool> = around().map(|own| !is_out(own) || !(has_room || own.are_closed())).collect();
+    if inside.contains(&true) { inside } else { vec![true; readings.len()] }
+}
+
+/// A warning of points outside of the room or in solids.
+pub fn outside_points(readings: &[ProbeReading]) -> Option<Warning> {
+    let outside = is_in_room(readings).iter().filter(|inside| !**inside).count();
+    let message =
+        format!("{outside} of the {} points lie outside of the room or in solids: move them", readings.len());
+    (outside > 0).then(|| Warning::general("outside-points", message))
+}
+
+/// The items of the sensors that count ([`is_in_room`]).
+pub fn in_room<'a, T>(items: &'a [T], is_in_room: &[bool]) -> Vec<&'a T> {
+    items.iter().zip(is_in_room).filter(|(_, inside)| **inside).map(|(item, _)| item).collect()
+}
+
+fn root_mean_square(errors: &[&f64]) -> Option<f64> {
+    let squares: f64 = errors.iter().map(|error| **error * **error).sum();
+    (!errors.is_empty()).then(|| (squares / errors.len() as f64).sqrt())
+}
+
 /// Number of readings without light in any band.
-fn dark(readings: &[ProbeReading]) -> usize {
-    let greatest = |reading: &ProbeReading| reading.irradiance.iter().copied().fold(0.0, f64::max);
+fn dark(readings: &[&ProbeReading]) -> usize {
+    let greatest = |reading: &&ProbeReading| reading.irradiance.iter().copied().fold(0.0, f64::max);
     let most = readings.iter().map(greatest).fold(0.0, f64::max);
     readings.iter().filter(|reading| greatest(reading) <= DARK * most).count()
 }

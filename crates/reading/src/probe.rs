@@ -4,12 +4,14 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use radiosity_audit::Spot;
 use radiosity_geom::DVec3;
+use radiosity_light::receiver_point::ReceiverPoint;
 use radiosity_scene::{Scene, SensorPlane};
 use radiosity_solve::gather::lune::Lune;
 use radiosity_solve::gather::read_irradiance::{Deviation, ReadIrradiance};
 use radiosity_solve::gather::standpoint::Standpoint;
 use radiosity_solve::gather::surface_point::SurfacePoint;
 use radiosity_solve::solution::SurfacePlace;
+use radiosity_visibility::Surroundings;
 use radiosity_work::ranks::PartName;
 use radiosity_work::{Stage, Work};
 use serde::{Deserialize, Serialize};
@@ -65,6 +67,8 @@ pub struct ProbeReading {
     pub deviation: Option<Deviation>,
     /// The surface the probe lies on, if any.
     pub on: Option<OnSurface>,
+    /// What is met first about the probe.
+    pub surroundings: Surroundings,
 }
 
 /// The surface under a probe.
@@ -121,8 +125,8 @@ pub(crate) fn probe_each(
         found
     });
     let reading = |(probe, found): (&Probe, Result<ProbeValues, ProbeFault>)| {
-        let ProbeValues { irradiance, deviation, on } = found?;
-        Ok(ProbeReading { probe: *probe, irradiance, deviation, on })
+        let ProbeValues { irradiance, deviation, on, surroundings } = found?;
+        Ok(ProbeReading { probe: *probe, irradiance, deviation, on, surroundings })
     };
     probes.iter().zip(found).map(reading).collect()
 }
@@ -133,6 +137,7 @@ struct ProbeValues {
     irradiance: Vec<f64>,
     deviation: Option<Deviation>,
     on: Option<OnSurface>,
+    surroundings: Surroundings,
 }
 
 fn read(reader: &Reader, probe: &Probe, middle: DVec3) -> Result<ProbeValues, ProbeFault> {
@@ -162,7 +167,13 @@ fn read(reader: &Reader, probe: &Probe, middle: DVec3) -> Result<ProbeValues, Pr
         }
     };
     let ReadIrradiance { irradiance, deviation } = value;
-    Ok(ProbeValues { irradiance, deviation, on })
+    let surroundings = surroundings(reader, &standpoint.receiver_point(normal));
+    Ok(ProbeValues { irradiance, deviation, on, surroundings })
+}
+
+fn surroundings(reader: &Reader, receiver: &ReceiverPoint) -> Surroundings {
+    let ground = receiver.ground.unwrap_or(receiver.normal);
+    reader.visibility().surroundings(receiver.position, receiver.surface.map(|surface| (surface, ground)))
 }
 
 /// Where a surface point is read: polynomials have a value at the foot itself, recomputed light near it.

@@ -15,7 +15,8 @@ use serde::Serialize;
 use crate::checkpoint::Checkpoint;
 use crate::exposure::Exposure;
 pub use crate::masked_surfaces::MaskedSurfaces;
-use crate::plane_figures::PlaneFigures;
+use crate::plane_figures::{PlaneFigures, outside_points};
+use crate::probe::ProbeReading;
 use crate::rank_work::{RanksWork, peak_bytes};
 use crate::read_error::ReadError;
 use crate::reader::ReadMode;
@@ -272,6 +273,11 @@ impl Report {
     pub fn add_planes(&mut self, planes: Vec<PlaneFigures>) {
         self.warnings.extend(planes.iter().filter_map(PlaneFigures::warning));
         self.planes.extend(planes);
+    }
+
+    /// Warns of points outside of the room.
+    pub fn add_points(&mut self, readings: &[ProbeReading]) {
+        self.warnings.extend(outside_points(readings));
     }
 }
 

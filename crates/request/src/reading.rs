@@ -16,10 +16,6 @@ use super::method::MethodRequest;
 use super::ranges::{Accuracy, Number};
 use super::refusal::Refusal;
 
-/// Accuracy that a solution by rays is worth being read to. Measured on sixty random rooms: with 1e-2 the noise of
-/// reading was most of the error in the median, .58 %.
-const BY_RAYS: f64 = 5e-3;
-
 /// Accuracy of readings by walks, which take four times as long for half of it. Chosen.
 const BY_WALKS: f64 = 1e-2;
 
@@ -132,13 +128,14 @@ impl ReadRequest {
     pub fn reading(&self, method: &MethodRequest, solved: &Solved, is_saved: bool) -> ReadSettings {
         let achieved = solved.achieved;
         let by = self.read_by.or(achieved.map(|achieved| achieved.by)).unwrap_or_default();
-        let usual = ReadSettings { by, ..method.quality.unwrap_or_default().reading() };
+        let quality = method.quality.unwrap_or_default();
+        let usual = ReadSettings { by, ..quality.reading() };
         let wanted = achieved.and_then(|achieved| achieved.reading());
         if by == GatherMethod::Walks {
             return self.asked(method, usual, wanted.unwrap_or(BY_WALKS));
         }
         let is_sampled = solved.outcome.sampling.is_some();
-        let of_solution = if is_sampled { usual.eps.max(BY_RAYS) } else { usual.eps };
+        let of_solution = if is_sampled { usual.eps.max(quality.worth_by_rays()) } else { usual.eps };
         let saved = if is_saved && achieved.is_none() { saved_accuracy(solved) } else { None };
         let asked = [method.eps.map(f64::from), wanted, saved].into_iter().flatten();
         self.asked(method, usual, asked.fold(of_solution, f64::min))

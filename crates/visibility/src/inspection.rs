@@ -29,6 +29,7 @@ pub use passage::{Passage, passages};
 pub use regions::Regions;
 pub use shell::{Fronts, Shell};
 pub use warning::Warning;
+use warning::by_keys;
 
 use crate::footprints::{Footprint, footprints};
 use sheet::Sheets;
@@ -69,9 +70,9 @@ impl Inspection {
         warnings.extend(luminaires::odd(scene));
         warnings.extend(contacts.iter().filter_map(|found| contact::intrusion(scene, &lying, found)));
         warnings.extend(gap::gaps(scene, &sheets, &borders, &contacts));
-        warnings.extend(front::turned(&sheets, &groups));
-        warnings.extend(front::inside_out(&sheets, &shells, scene.camera.as_ref()));
-        warnings.extend(front::blind(&sheets, &lying));
+        warnings.extend(front::turned(scene, &sheets, &groups));
+        warnings.extend(front::inside_out(scene, &sheets, &shells));
+        warnings.extend(front::blind(scene, &sheets, &shells, &lying));
         warnings.extend(before_openings(scene));
         let frames = scene.frames().checked_sub(1).map(|last| [0, last]);
         let passages = frames.map_or_else(Vec::new, |frames| passage::among(scene, &sheets, frames));
@@ -83,11 +84,14 @@ impl Inspection {
 }
 
 fn light(scene: &Scene) -> Vec<Warning> {
-    let dark = "nothing emits light: give a material an emission above 0, or add luminaires, or a sky and an opening to it";
-    let unseen =
-        "there is no camera: pictures show a view that is chosen; add a [camera] with eye and target";
-    let dark = (!scene.emits()).then(|| Warning::general("no-emitter", dark));
-    let unseen = scene.camera.is_none().then(|| Warning::general("no-camera", unseen));
+    let dark = "give a material an emission above 0, or add luminaires, or a sky and an opening to it";
+    let dark = || format!("nothing emits light: {}", by_keys(scene, dark));
+    let unseen = || {
+        let cure = by_keys(scene, "add a [camera] with eye and target");
+        format!("there is no camera: pictures show a view that is chosen; {cure}")
+    };
+    let dark = (!scene.emits()).then(|| Warning::general("no-emitter", &dark()));
+    let unseen = scene.camera.is_none().then(|| Warning::general("no-camera", &unseen()));
     dark.into_iter().chain(unseen).collect()
 }
 

@@ -9,8 +9,8 @@
 //! In order: [`tolerances`], [`blocker_edges`], [`bounding_ball`], [`shadow_volume`], `shadow_cone` and
 //! [`blocker_shadow`] (what blockers hide from a point), `cloud`, `convex_bodies`, `screens` (joined
 //! surfaces), [`silhouette_mesh`], [`Shadows`] (ways to find them), `within` (what lies in a convex solid),
-//! `obstacle` (of what obstacles are made), `shells` (balls with something within), `rays` and `whole` (what
-//! rays meet first, what hides as a whole), `screened` (what joined surfaces hide), [`Visibility`], the noun
+//! `obstacle` (of what obstacles are made), `shells` (balls with something within), `rays`, [`Surroundings`] and `whole`
+//! (what rays meet first, about a point, what hides as a whole), `screened` (what joined surfaces hide), [`Visibility`], the noun
 //! of the crate; then what a scene says of itself: [`footprints`] (where bodies stand), [`covered_parts`]
 //! (flat surfaces on others) and [`inspection`] (contents, contacts, what looks wrong).
 //!
@@ -32,6 +32,7 @@ mod within;
 mod obstacle;
 mod shells;
 mod rays;
+mod surroundings;
 mod whole;
 mod screened;
 pub mod footprints;
@@ -57,6 +58,7 @@ pub use shadows::Shadows;
 pub use shells::Place;
 use shells::Shells;
 use silhouette_mesh::SilhouetteMesh;
+pub use surroundings::Surroundings;
 use tolerances::{END, OWN_END};
 
 /// The surfaces of a scene as obstacles.

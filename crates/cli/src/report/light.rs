@@ -9,7 +9,7 @@ use radiosity_reading::checked_readings::{CheckedReadings, PrintedReading};
 use radiosity_reading::grid::grid;
 use radiosity_reading::own_error::OwnError;
 use radiosity_reading::pictures::render::{render, usual_read, white_balance};
-use radiosity_reading::plane_figures::PlaneFigures;
+use radiosity_reading::plane_figures::{PlaneFigures, in_room, is_in_room};
 use radiosity_reading::probe::{ProbeReading, probe};
 use radiosity_reading::quality::ReadSettings;
 use radiosity_reading::quantity::{Quantity, band_name, of_bands};
@@ -114,7 +114,7 @@ impl<'a> ReportLight<'a> {
         let errors = CheckedReadings::all_told(checked.as_ref(), estimates);
         let figures = planes.map(|on| {
             let errors = &errors[on.first..on.first + on.items.len()];
-            PlaneFigures::of(on.plane, &scene.bands, on.items).erring(errors)
+            PlaneFigures::of(on.plane, &scene.bands, on.items, errors)
         });
         let figures = figures.collect();
         let deviations = sensed.iter().map(|reading| reading.deviation);
@@ -140,9 +140,13 @@ impl ReadLight {
     /// The part of the report on light.
     pub(super) fn part<'a>(&'a self, wanted: &'a ReportLight, run: &'a Run) -> LightPart<'a> {
         let scene = &run.solved.scene;
+        let shown = |readings: &[ProbeReading]| {
+            let readings = in_room(readings, &is_in_room(readings));
+            Uniformity::of(readings.iter().map(|own| of_bands(&own.irradiance, wanted.band)))
+        };
         let plans = wanted.sensors.by_plane(&self.sensed).map(|on| ReportedPlane {
             plane: on.plane,
-            shown: Uniformity::of(on.items.iter().map(|own| of_bands(&own.irradiance, wanted.band))),
+            shown: shown(on.items),
             band: band_name(&scene.bands, wanted.band),
             picture: plan_page(scene, on.plane, on.items, wanted.band, |range| wanted.colours.of_plan(range)),
         });

@@ -9,6 +9,7 @@ use crate::drawings::lettering::Lettering;
 use crate::drawings::nice_numbers::multiples;
 use crate::drawings::picture::{Colour, Picture};
 use crate::drawings::plan::Plan;
+use radiosity_reading::plane_figures::is_in_room;
 use radiosity_reading::probe::ProbeReading;
 use radiosity_reading::quantity::{Quantity, band_name, of_bands};
 use radiosity_reading::uniformity::Uniformity;
@@ -45,8 +46,11 @@ pub fn plan_page(
     band: Option<usize>,
     colours: impl FnOnce([f64; 2]) -> FalseColours,
 ) -> Picture {
-    let values: Vec<f64> = readings.iter().map(|reading| of_bands(&reading.irradiance, band)).collect();
-    let figures = Uniformity::of(values.iter().copied());
+    let is_in_room = is_in_room(readings);
+    let value =
+        |(reading, inside): (&ProbeReading, &bool)| inside.then(|| of_bands(&reading.irradiance, band));
+    let values: Vec<Option<f64>> = readings.iter().zip(&is_in_room).map(value).collect();
+    let figures = Uniformity::of(values.iter().copied().flatten());
     let quantity = Quantity::Irradiance.name(&scene.unit).to_owned();
     let legend = [quantity].into_iter().chain(band_name(&scene.bands, band)).chain([scene.unit.clone()]);
     let page = PlanPage {

@@ -316,13 +316,16 @@ fn spectral_bound(options: &Options, outcome: &Outcome) -> Option<Warning> {
     (bound >= 1.0).then(|| Warning::general("spectral-bound", message() + cure(options, usual())))
 }
 
-/// The cure of transfers that are not accurate enough. The rules of 1993 have no accuracy, and collocation
-/// loses what interpolation errs.
+/// The cure of transfers that are not accurate enough. The rules of 1993 have no accuracy, collocation loses what
+/// interpolation errs, and links are rough where faces meet.
 fn cure(options: &Options, usual: Wording) -> Wording {
     match options {
         Options { kernel: Some(_), .. } => words("choose the default kernel"),
         Options { method: LightMethod::Collocation, .. } => {
             words("leave ") + set("method", "collocation") + " out, or take a higher " + option("order")
+        }
+        Options { method: LightMethod::Hierarchical, .. } => {
+            words("its links are rough where faces meet, leave ") + set("method", "hierarchical") + " out"
         }
         _ => usual,
     }

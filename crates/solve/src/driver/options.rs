@@ -53,6 +53,9 @@ pub struct Options {
     pub transport: Transport,
     /// Rays of the sampled transport; None: as many as the scene and the accuracy of shadows need.
     pub rays: Option<u64>,
+    /// Multiple of that number, where it is chosen.
+    #[serde(default = "once", skip_serializing_if = "is_once")]
+    pub finer_rays: u64,
     /// Accuracy of visibility within a block.
     pub shadow_eps: f64,
     /// Ways to find shadows between surfaces.
@@ -112,6 +115,7 @@ impl Default for Options {
             kernel: None,
             transport: Transport::Auto,
             rays: None,
+            finer_rays: once(),
             shadow_eps: 3e-3,
             shadows: Shadows::Auto,
             masks: None,
@@ -165,9 +169,18 @@ impl Options {
 
     /// Rays of the sampled transport of `scene`.
     pub(crate) fn ray_budget(&self, scene: &Scene) -> u64 {
-        let usual = || usual_rays(scene.surfaces.len(), self.accuracy().shadow_eps);
+        let usual =
+            || self.finer_rays.saturating_mul(usual_rays(scene.surfaces.len(), self.accuracy().shadow_eps));
         self.rays.unwrap_or_else(usual).min(MOST_RAYS)
     }
+}
+
+fn once() -> u64 {
+    1
+}
+
+fn is_once(factor: &u64) -> bool {
+    *factor == once()
 }
 
 /// A solver, (de)serialised by its name.

@@ -2,10 +2,10 @@
 //!
 //! E₁(y) = S_h(y) + E₀(z) V κ(y, z)/q(z) is the irradiance of y: S_h ≥ 0, the polynomials of the light that
 //! was reflected at least once, and the direct light by one ray to a point z of an emitter, of density q(z), so that
-//! shadow edges are sharp there too. The polynomials E_h of all light take its place on elements that are small as seen
-//! from where the ray began: these are right in the mean. Not so near an emitter, although one ray says little there:
-//! before a large window all of a room is near, and readings erred by up to 3 %. Where only reflected light is gathered,
-//! for pictures, they are left only on elements that the ray nearly touches.
+//! shadow edges are sharp there too. The polynomials E_h of all light take its place on elements that are small as
+//! seen from where the ray began: these are right in the mean. Not so near an emitter, although one ray says little
+//! there: before a large window all of a room is near, and readings erred by up to 3 %. Where only reflected light is
+//! gathered, for pictures, they are left only on elements that the ray nearly touches.
 //!
 //! Of the light of luminaires E₁(y) has that of one of them, by a ray.
 

@@ -3,14 +3,14 @@
 use std::collections::HashSet;
 
 use radiosity_geom::{Aabb, Bvh, Plane};
-use radiosity_scene::Camera;
+use radiosity_scene::Scene;
 use rayon::prelude::*;
 
 use crate::inspection::{
     enclosure::Enclosure,
     sheet::{Sheet, Sheets},
     shell::{Fronts, Group, Shell},
-    warning::Warning,
+    warning::{Warning, by_keys},
 };
 
 /// Least sine of the angles at which one front sees another: fronts in one plane, but for rounding in single
@@ -18,11 +18,12 @@ use crate::inspection::{
 const GRAZING: f64 = 1e-6;
 
 /// Fronts that disagree with their neighbours'.
-pub(super) fn turned(sheets: &Sheets, groups: &[Group]) -> Vec<Warning> {
+pub(super) fn turned(scene: &Scene, sheets: &Sheets, groups: &[Group]) -> Vec<Warning> {
+    let cure = by_keys(scene, "flip = true turns it over");
     let warning = |(own, other): &(usize, usize)| {
         let [own, other] = [own, other].map(|k| &sheets.list[*k].name);
         let message = format!(
-            "turns its front to the other side than {other:?}, which it meets along a border: flip = true turns it over"
+            "turns its front to the other side than {other:?}, which it meets along a border: {cure}"
         );
         Warning::about("front-turned", own, message)
     };
@@ -30,7 +31,8 @@ pub(super) fn turned(sheets: &Sheets, groups: &[Group]) -> Vec<Warning> {
 }
 
 /// Solids whose fronts face in, and rooms whose fronts face out.
-pub(super) fn inside_out(sheets: &Sheets, shells: &[Shell], camera: Option<&Camera>) -> Vec<Warning> {
+pub(super) fn inside_out(scene: &Scene, sheets: &Sheets, shells: &[Shell]) -> Vec<Warning> {
+    let cure = by_keys(scene, "flip = true turns a surface over");
     // Both sides of a two-sided surface are fronts.
     let has_one_side = |shell: &&Shell| shell.sheets.iter().any(|k| !sheets.list[*k].two_sided);
     let warning = |shell: &Shell| {
@@ -38,22 +40,16 @@ pub(super) fn inside_out(sheets: &Sheets, shells: &[Shell], camera: Option<&Came
         let stands_alone = shell.sheets.len() == sheets.list.len();
         let emits = || shell.sheets.iter().any(|k| sheets.list[*k].emits);
         match shell.fronts {
-            Fronts::Outside if holds_something(sheets, shell, camera) => Some(Warning::about(
+            Fronts::Outside if holds_something(scene, sheets, shell) => Some(Warning::about(
                 "front-outside",
                 first,
-                format!(
-                    "{}, faces away from what is in it: flip = true turns a surface over",
-                    part_of(shell)
-                ),
+                format!("{}, faces away from what is in it: {cure}", part_of(shell)),
             )),
-            Fronts::Inside if !stands_alone && !emits() && !holds_something(sheets, shell, camera) => {
+            Fronts::Inside if !stands_alone && !emits() && !holds_something(scene, sheets, shell) => {
                 Some(Warning::about(
                     "front-inside",
                     first,
-                    format!(
-                        "{}, faces into a closed space with no light in it: flip = true turns a surface over",
-                        part_of(shell)
-                    ),
+                    format!("{}, faces into a closed space with no light in it: {cure}", part_of(shell)),
                 ))
             }
             _ => None,
@@ -63,13 +59,13 @@ pub(super) fn inside_out(sheets: &Sheets, shells: &[Shell], camera: Option<&Came
 }
 
 /// Whether the camera or the whole of another sheet is inside a shell: what touches it or passes through it is not.
-fn holds_something(sheets: &Sheets, shell: &Shell, camera: Option<&Camera>) -> bool {
+fn holds_something(scene: &Scene, sheets: &Sheets, shell: &Shell) -> bool {
     let enclosure = Enclosure::new(sheets, shell);
     let is_inside = |k: usize| {
         let mut samples = sheets.list[k].samples().into_iter();
         shell.sheets.binary_search(&k).is_err() && samples.all(|sample| enclosure.contains(sample.point))
     };
-    camera.is_some_and(|camera| enclosure.contains(camera.eye))
+    scene.camera.as_ref().is_some_and(|camera| enclosure.contains(camera.eye))
         || sheets.around(&enclosure.bounds).any(is_inside)
 }
 
@@ -80,9 +76,11 @@ fn part_of(shell: &Shell) -> String {
     }
 }
 
-/// Fronts that face no other front, according to sampled points; blockers are not considered, and what is
-/// `lying` on another surface faces that one.
-pub(super) fn blind(sheets: &Sheets, lying: &HashSet<&str>) -> Vec<Warning> {
+/// Fronts that face no other front, according to sampled points; blockers are not considered, what is
+/// `lying` on another surface faces that one, and a face of a solid would be wrong if it were turned over.
+pub(super) fn blind(scene: &Scene, sheets: &Sheets, shells: &[Shell], lying: &HashSet<&str>) -> Vec<Warning> {
+    let solids = shells.iter().filter(|shell| shell.fronts == Fronts::Outside);
+    let of_solids: HashSet<usize> = solids.flat_map(|shell| shell.sheets.iter().copied()).collect();
     let samples: Vec<_> = sheets.list.iter().map(Sheet::samples).collect();
     let is_flat: Vec<bool> = sheets.list.iter().map(|sheet| sheet.shape.region().is_some()).collect();
     // If the other lies wholly behind this plane, no pair of points has to be tested.
@@ -98,19 +96,21 @@ pub(super) fn blind(sheets: &Sheets, lying: &HashSet<&str>) -> Vec<Warning> {
     let tree = Bvh::build(&sheets.list.iter().map(|sheet| sheet.bounds).collect::<Vec<_>>());
     let is_blind = |own: usize| {
         !sheets.list[own].two_sided
+            && !of_solids.contains(&own)
             && !tree.search(|bounds| reaches(own, bounds)).any(|other| sees(own, other))
     };
     if sheets.list.len() < 2 {
         return Vec::new();
     }
     let blind: Vec<usize> = (0..sheets.list.len()).into_par_iter().filter(|own| is_blind(*own)).collect();
-    let message = "faces no other front, it neither lights nor is lit: flip = true turns it over";
+    let cure = by_keys(scene, "flip = true turns it over");
+    let message = format!("faces no other front, it neither lights nor is lit: {cure}");
     // What has a temperature or a flux of heat faces space.
     let faces_space = |own: &usize| sheets.list[*own].has_heat;
     let names = blind.into_iter().filter(|own| !faces_space(own)).map(|own| &sheets.list[own].name);
     names
         .filter(|name| !lying.contains(name.as_str()))
-        .map(|name| Warning::about("front-blind", name, message.to_owned()))
+        .map(|name| Warning::about("front-blind", name, message.clone()))
         .collect()
 }
 

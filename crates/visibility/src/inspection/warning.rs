@@ -1,6 +1,7 @@
 //! Warnings about a scene, in words.
 
 use radiosity_geom::DVec3;
+use radiosity_scene::Scene;
 use serde::Serialize;
 
 /// Something that is allowed, but seldom meant.
@@ -34,6 +35,14 @@ impl Warning {
     /// A warning about the scene.
     pub(super) fn general(code: &'static str, message: &str) -> Self {
         Warning { code, message: message.to_owned(), surface: None }
+    }
+}
+
+/// A cure by keys of scene files, which files of other programs do not have.
+pub(super) fn by_keys(scene: &Scene, cure: &str) -> String {
+    match scene.imported() {
+        None => cure.to_owned(),
+        Some(own) => format!("{cure}, in the scene converted to .toml, as {} has no such key", own.format),
     }
 }
 

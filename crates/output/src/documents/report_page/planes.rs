@@ -23,6 +23,12 @@ pub(super) fn blocks(scene: &Scene, light: &LightPart) -> Vec<Block> {
         )),
         Block::Table(table(scene, light)),
     ];
+    let left_out: usize = light.report.planes.iter().map(|plane| plane.left_out).sum();
+    if left_out > 0 {
+        blocks.push(Block::Text(format!(
+            "The figures leave out {left_out} sensors that lie outside of the room or in solids; they are white in the plans."
+        )));
+    }
     blocks.extend(light.plans.iter().enumerate().map(|(index, reported)| {
         Block::Figure(Figure {
             name: plan_name(index),

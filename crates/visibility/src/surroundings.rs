@@ -1,0 +1,60 @@
+//! Surroundings of a point: what is met first in directions evenly about it.
+//!
+//! A point in a room meets fronts alone. One outside meets backs of walls, or nothing; one in a solid backs, and the
+//! front of what the solid stands on.
+
+use radiosity_geom::{DVec3, Ray};
+use serde::{Deserialize, Serialize};
+
+use crate::{Visibility, golden_spiral};
+
+/// Directions about a point. Chosen: a hole of a tenth of them is seen, and they take some microseconds.
+const DIRECTIONS: usize = 64;
+
+/// Numbers of the directions from a point in which something is met first.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Surroundings {
+    /// A front, either side of a sheet with two sides among them.
+    pub fronts: u32,
+    /// The back of a surface of one side.
+    pub backs: u32,
+    /// Nothing.
+    pub open: u32,
+}
+
+impl Surroundings {
+    /// Whether something is met in all directions.
+    pub fn are_closed(&self) -> bool {
+        self.open == 0
+    }
+}
+
+impl Visibility {
+    /// The surroundings of `point`; of one on the front of a surface with this unit normal, in the half of the
+    /// directions before that.
+    pub fn surroundings(&self, point: DVec3, on: Option<(usize, DVec3)>) -> Surroundings {
+        let mut found = Surroundings::default();
+        let directions = (0..DIRECTIONS).map(direction);
+        for direction in directions.filter(|own| on.is_none_or(|(_, normal)| own.dot(normal) > 0.0)) {
+            let met = match on {
+                Some((surface, _)) => self.nearest_from(surface, point, direction),
+                None => self.nearest(&Ray::new(point, direction)),
+            };
+            let count = match met {
+                Some(met) if met.front => &mut found.fronts,
+                Some(_) => &mut found.backs,
+                None => &mut found.open,
+            };
+            *count += 1;
+        }
+        found
+    }
+}
+
+/// A direction of [`DIRECTIONS`] evenly over the sphere, along a golden spiral.
+fn direction(place: usize) -> DVec3 {
+    let height = 1.0 - (2 * place + 1) as f64 / DIRECTIONS as f64;
+    let (sine, cosine) = golden_spiral::turn(place);
+    let broad = (1.0 - height * height).sqrt();
+    DVec3::new(broad * cosine, broad * sine, height)
+}

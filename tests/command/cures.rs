@@ -1,0 +1,207 @@
+//! The table of cures: each row has an input that draws a message with a cure, parts of that message, and the input
+//! changed as the cure says, which draws no message.
+
+mod warnings;
+mod faults;
+mod commands;
+mod runs;
+
+use std::collections::BTreeSet;
+use std::path::Path;
+
+use radiosity_test_support::folders::folder;
+
+use crate::program::{self, assert_refused, radiosity};
+
+/// A part of [`ROOM`], what stands in its place, wrongly and cured, and parts of the message.
+struct Row {
+    part: &'static str,
+    bad: &'static str,
+    cured: &'static str,
+    told: &'static [&'static str],
+}
+
+/// A command as it is typed, wrongly and cured, and parts of the message.
+struct Typed {
+    bad: &'static str,
+    cured: &'static str,
+    told: &'static [&'static str],
+}
+
+/// A room in which nothing looks wrong.
+const ROOM: &str = r#"title = "room"
+bands = ["grey"]
+[camera]
+eye = [2, -2.6, 1.4]
+target = [0, 0, 0.3]
+[materials.white]
+reflectance = 0.5
+[materials.lamp]
+reflectance = 0
+emission = 100
+[[surfaces]]
+name = "room"
+material = "white"
+box = { origin = [-3, -3, 0], size = [6, 6, 3], inward = true }
+[[surfaces]]
+name = "lamp"
+material = "lamp"
+disk = { center = [-1, -1, 2.4], normal = [0, 0, -1], radius = 0.2 }
+# more
+"#;
+
+/// The part of the room to add to.
+const MORE: &str = "# more\n";
+
+/// A room that takes no time.
+const CUBE: &str = r#"title = "room"
+bands = ["grey"]
+[camera]
+eye = [0.2, 0.2, 0.5]
+target = [1, 1, 0.5]
+[planes.desk]
+origin = [0.2, 0.2, 0.5]
+edges = [[0.5, 0, 0], [0, 0.5, 0]]
+spacing = 0.5
+[materials.white]
+reflectance = 0.5
+emission = 1
+[[surfaces]]
+name = "room"
+material = "white"
+box = { origin = [0, 0, 0], size = [1, 1, 1], inward = true }
+"#;
+
+impl Row {
+    fn with(&self, text: &str) -> String {
+        assert!(ROOM.contains(self.part), "{:?} is no part of the room", self.part);
+        ROOM.replacen(self.part, text, 1)
+    }
+}
+
+/// What a strict `check` of a scene says, which finds nothing wrong.
+#[track_caller]
+fn assert_clean(scene: &str) {
+    let folder = folder(&[("room.toml", scene)]);
+    let output = radiosity(folder.path(), &["check", "--strict", "room.toml"]);
+    let [found, refused] = [&output.stdout, &output.stderr].map(|text| String::from_utf8_lossy(text));
+    assert!(output.status.success(), "{found}{refused}\nin\n{scene}");
+    assert!(found.contains("nothing looks wrong"), "{found}");
+}
+
+#[test]
+fn what_is_warned_of_is_cured_as_the_warning_says() {
+    assert_clean(ROOM);
+    for row in warnings::ROWS {
+        let folder = folder(&[("room.toml", &row.with(row.bad))]);
+        let [found, _] = program::done(folder.path(), &["check", "room.toml"]);
+        let is_told = |line: &str| row.told.iter().all(|part| line.contains(part));
+        assert!(found.lines().any(is_told), "{:?} is missing in\n{found}", row.told);
+        assert_clean(&row.with(row.cured));
+    }
+}
+
+#[test]
+fn faults_of_scenes_are_cured_as_the_message_says() {
+    for row in faults::ROWS {
+        let folder = folder(&[("room.toml", &row.with(row.bad))]);
+        assert_refused(&radiosity(folder.path(), &["check", "room.toml"]), row.told);
+        assert_clean(&row.with(row.cured));
+    }
+}
+
+/// Output of a command, which is typed without quotes.
+fn typed(folder: &Path, line: &str) -> std::process::Output {
+    radiosity(folder, &line.split(' ').collect::<Vec<_>>())
+}
+
+/// A folder with what the commands name.
+fn files() -> tempfile::TempDir {
+    folder(&[
+        ("room.toml", CUBE),
+        ("hung.toml", ROOM),
+        ("warm.toml", &CUBE.replace("emission = 1", "temperature = 300")),
+        ("points.csv", "0.5,0.5,0.5,0,0,1\n"),
+        ("far.csv", "0.5,0.5,0.5,0,0,1\n9,0,0,0,0,1\n"),
+        ("scene.dxf", "0\n"),
+        ("scene.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"),
+    ])
+}
+
+/// Runs the cured commands, of which many are one, and finds no warning.
+#[track_caller]
+fn assert_cured(rows: &[Typed]) {
+    let folder = files();
+    let cured: BTreeSet<&str> = rows.iter().map(|row| row.cured).collect();
+    for line in cured {
+        let output = typed(folder.path(), line);
+        let told = String::from_utf8_lossy(&output.stderr);
+        assert!(output.status.success() && !told.contains("warning: "), "{line}: {told}");
+    }
+}
+
+#[test]
+fn commands_that_are_refused_are_cured_as_the_message_says() {
+    let folder = files();
+    for row in commands::ROWS {
+        assert_refused(&typed(folder.path(), row.bad), row.told);
+    }
+    assert_cured(commands::ROWS);
+}
+
+#[test]
+fn what_runs_warn_of_is_cured_as_the_warning_says() {
+    let folder = files();
+    for row in runs::ROWS {
+        let output = typed(folder.path(), row.bad);
+        let told = String::from_utf8_lossy(&output.stderr);
+        let is_told = |line: &str| row.told.iter().all(|part| line.contains(part));
+        assert!(told.lines().any(|line| line.starts_with("warning: ") && is_told(line)), "{told}");
+    }
+    assert_cured(runs::ROWS);
+}
+
+/// A ball that rests on the floor, a partition that reaches a centimetre into a wall, a globe of two sides about a lamp:
+/// nothing of them is to be turned over.
+#[test]
+fn what_is_right_is_not_to_be_turned_over() {
+    let objects = [
+        "sphere = { center = [0, 0, 0.4], radius = 0.4 }",
+        "box = { origin = [-3.01, 0, 0], size = [3.01, 0.1, 2] }",
+        "two_sided = true\nsphere = { center = [-1, -1, 2.4], radius = 0.3 }",
+    ];
+    for object in objects {
+        let scene = format!("{ROOM}[[surfaces]]\nname = \"object\"\nmaterial = \"white\"\n{object}\n");
+        let folder = folder(&[("room.toml", &scene)]);
+        let [found, _] = program::done(folder.path(), &["check", "room.toml"]);
+        assert!(!found.contains("flip"), "{found}");
+    }
+}
+
+/// Keys that cures name are those of scene files: a file of another program is cured once it is converted.
+#[test]
+fn a_file_of_another_program_is_cured_once_it_is_converted() {
+    let away = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\no floor\nf 1 2 3 4\n\
+                o lid\nf 5 6 7 8\n";
+    let folder = folder(&[("scene.obj", away)]);
+    let [found, _] = program::done(folder.path(), &["check", "scene.obj"]);
+    for cure in [
+        "add a [camera] with eye and target, in the scene converted to .toml, as obj has no such key",
+        "flip = true turns it over, in the scene converted to .toml, as obj has no such key",
+        "or a sky and an opening to it, in the scene converted to .toml, as obj has no such key",
+    ] {
+        assert!(found.contains(cure), "{cure:?} is missing in\n{found}");
+    }
+    program::done(folder.path(), &["convert", "scene.obj", "scene.toml"]);
+    let scene = std::fs::read_to_string(folder.path().join("scene.toml")).expect("the scene");
+    let turned = scene.replacen("name = \"lid\"", "name = \"lid\"\nflip = true", 1);
+    let camera = "[camera]\neye = [0.5, 0.2, 0.5]\ntarget = [0.5, 0.9, 0.5]\n";
+    let lamp = "[[luminaires]]\nposition = [0.5, 0.5, 0.5]\npoint = {}\nflux = 1\n";
+    let scene = format!("{turned}\n{camera}{lamp}");
+    let folder = self::folder(&[("room.toml", &scene)]);
+    let [found, _] = program::done(folder.path(), &["check", "room.toml"]);
+    assert!(
+        !found.contains("flip") && !found.contains("camera]") && !found.contains("nothing emits"),
+        "{found}"
+    );
+}
