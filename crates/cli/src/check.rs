@@ -17,7 +17,7 @@ use radiosity_visibility::inspection::{
 use radiosity_work::ranks::Ranks;
 use serde_json::{Value, json};
 
-use crate::{console, error::CliError, materials, options::SceneArg};
+use crate::{console, error::CliError, loaded::outside, materials, options::SceneArg};
 
 /// Says what is in a scene, what touches what, and what looks wrong
 #[derive(Debug, Args)]
@@ -100,6 +100,7 @@ fn lines_on_surfaces(scene: &Scene, inspection: &Inspection) -> Vec<String> {
         format!("surfaces: {}, of which {emitters} emit; total area {area:.6}\n", surfaces.len()),
     ];
     lines.extend(scene.imported().into_iter().flat_map(Imported::lines));
+    lines.extend(outside(scene));
     if !variables.is_empty() {
         let variables = variables.iter().map(|(name, value)| format!("{name} = {value}"));
         lines.push(format!("variables: {}\n", variables.collect::<Vec<_>>().join(", ")));
