@@ -181,8 +181,10 @@ fn changed_files_are_refused() {
 #[test]
 fn damage_is_told() {
     let text = text_of(&solved());
-    for (old, new) in [("\"emitted\":", "\"emitted\":1"), ("rooms/room.toml", "rooms/roam.toml")] {
-        let error = read(&Source::new("a.json", &text.replacen(old, new, 1))).unwrap_err();
+    for (old, new) in [("\"energy_in\":", "\"energy_in\":1"), ("rooms/room.toml", "rooms/roam.toml")] {
+        let changed = text.replacen(old, new, 1);
+        assert_ne!(changed, text, "{old} is there");
+        let error = read(&Source::new("a.json", &changed)).map(drop).unwrap_err();
         assert_eq!(error.to_string(), "a.json: damaged: its checksum is not that of its content", "{old}");
         assert_eq!(error.cure(), "the file is damaged or was changed: solve the scene again");
     }

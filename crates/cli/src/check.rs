@@ -85,8 +85,18 @@ fn lines(scene: &Scene, inspection: &Inspection) -> Vec<String> {
     lines.push(format!("camera: {}", camera.as_deref().unwrap_or("none")));
     lines.extend(scene.planes.iter().map(|plane| format!("plane: {}", plane_line(plane))));
     lines.extend(warning_lines(warnings));
-    lines.extend(warnings.is_empty().then(|| "nothing looks wrong".to_owned()));
+    lines.extend(warnings.is_empty().then(|| clean(scene).to_owned()));
     lines
+}
+
+/// Words on a scene without warnings.
+fn clean(scene: &Scene) -> &'static str {
+    match scene.imported() {
+        Some(Imported { notes, repairs, .. }) if !(notes.is_empty() && repairs.is_empty()) => {
+            "nothing else looks wrong: what the import left out, turned or repaired is told above"
+        }
+        _ => "nothing looks wrong",
+    }
 }
 
 /// The head, and lines on surfaces, their materials and contacts.
