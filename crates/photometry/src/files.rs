@@ -97,8 +97,7 @@ pub struct FoundFile {
 impl Folder {
     /// The folder of the scene at `path`.
     pub fn of_scene(path: &Path, reach: Reach) -> Self {
-        let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
-        let path = folder.unwrap_or(Path::new(".")).to_path_buf();
+        let path = path.parent().unwrap_or(Path::new("")).to_path_buf();
         Self { path, reach, outside: RefCell::default() }
     }
 
@@ -108,11 +107,11 @@ impl Folder {
     /// A file that is missing, no regular one, too long, or out of reach.
     pub fn read(&self, path: &Path) -> Result<FoundFile, Unread> {
         let (real, is_outside) = self.found(path)?;
-        let file = File::open(real)?;
-        if !file.metadata()?.is_file() {
+        // Opening a pipe would wait for somebody who writes.
+        if !fs::metadata(&real)?.is_file() {
             return Err(io::Error::new(io::ErrorKind::InvalidInput, "it is no regular file").into());
         }
-        Ok(FoundFile { bytes: all(file, MOST_BYTES)?, is_outside })
+        Ok(FoundFile { bytes: all(File::open(real)?, MOST_BYTES)?, is_outside })
     }
 
     /// Names of the files that were read outside the folder, as the scene names them.
@@ -135,14 +134,13 @@ impl Folder {
     /// The file at `path` with links followed, and whether it is outside. A file that is not there is where the
     /// nearest folder above it is.
     fn found(&self, path: &Path) -> Result<(PathBuf, bool), Unread> {
-        let root = fs::canonicalize(&self.path)?;
-        let real = fs::canonicalize(path);
+        let canonical =
+            |path: &Path| fs::canonicalize(if path.as_os_str().is_empty() { Path::new(".") } else { path });
+        let root = canonical(&self.path)?;
+        let real = canonical(path);
         let nearest = match &real {
             Ok(real) => Some(real.clone()),
-            Err(_) => path.ancestors().skip(1).find_map(|above| {
-                let above = if above.as_os_str().is_empty() { Path::new(".") } else { above };
-                fs::canonicalize(above).ok()
-            }),
+            Err(_) => path.ancestors().skip(1).find_map(|above| canonical(above).ok()),
         };
         let is_outside = !nearest.is_some_and(|place| place.starts_with(&root));
         match is_outside && self.reach == Reach::Inside {
@@ -250,7 +248,28 @@ mod tests {
             assert!(matches!(here.bytes(name), Err(Unread::Outside)), "whether {name} is there is not told");
             assert!(matches!(all.bytes(name), Err(Unread::Failed(_))), "{name}");
         }
-        assert!(matches!(here.bytes("sub"), Err(Unread::Failed(_))), "a folder is no file");
+        for name in ["sub", ".", ""] {
+            assert!(matches!(here.bytes(name), Err(Unread::Failed(_))), "a folder is no file");
+        }
+    }
+
+    #[test]
+    fn scenes_without_a_folder_stand_in_the_current_one() {
+        let here = Folder::of_scene(Path::new("<stdin>"), Reach::Inside);
+        assert!(here.read(Path::new("Cargo.toml")).is_ok(), "tests run in the folder of their crate");
+        assert!(matches!(here.read(Path::new("")), Err(Unread::Failed(_))), "a folder is no file");
+        assert!(matches!(here.read(Path::new("../formats/Cargo.toml")), Err(Unread::Outside)));
+    }
+
+    #[test]
+    #[cfg(unix)]
+    fn pipes_are_not_waited_for() {
+        let house = house();
+        let pipe = house.path().join("room/pipe");
+        let made = std::process::Command::new("mkfifo").arg(pipe).status();
+        assert!(made.is_ok_and(|status| status.success()), "mkfifo runs");
+        let here = Folder::of_scene(&house.path().join("room/scene.toml"), Reach::Inside);
+        assert!(matches!(here.bytes("pipe"), Err(Unread::Failed(_))));
     }
 
     #[test]
