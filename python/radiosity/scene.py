@@ -64,7 +64,10 @@ class Scene:
 
     @classmethod
     def from_toml(cls, text: str, name: str = "scene") -> Scene:
-        """The scene in a text in TOML or JSON, as docs/scene.md describes it; `name` stands before messages."""
+        """The scene in a text in TOML or JSON, as docs/scene.md describes it; `name` stands before messages.
+
+        Files that it names are read from the current folder and below.
+        """
         return cls._of(_radiosity.parse(checked_text("text", text), checked_text("name", name)))
 
     @property

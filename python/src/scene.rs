@@ -7,6 +7,7 @@ use numpy::ndarray::arr2;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use radiosity::geom::DVec3;
+use radiosity::photometry::files::Reach;
 use radiosity::reading::probe::Probe;
 use radiosity::request::SceneRequest;
 use radiosity::request::ranges::{Finite, Length, Number};
@@ -44,6 +45,7 @@ pub(crate) fn load(
         frame: given.value::<Number<Finite>>("frame")?.map(f64::from),
         tolerance: given.value::<Number<Length>>("tolerance_length")?.map(f64::from),
         strict: given.flag("strict")?,
+        reach: scene::Reach::Inside,
         import: given.fields()?,
     };
     given.finish("load")?;
@@ -51,7 +53,7 @@ pub(crate) fn load(
 }
 
 /// The scene in a text in TOML or JSON; `name` stands before messages. Files that it names are looked for in
-/// the current folder.
+/// the current folder and below.
 #[pyfunction]
 pub(crate) fn parse(text: &str, name: &str) -> Result<Scene, Trouble> {
     let source = scene::Source::new(name, text).with_files();

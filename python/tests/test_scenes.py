@@ -156,3 +156,21 @@ def test_scenes_in_use_take_no_more_parts():
         twice = Scene()
         twice.material("a", reflectance=0)
         twice.material("a", reflectance=0)
+
+
+def test_files_outside_the_folder_of_a_scene_are_refused(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+    room = tmp_path / "room"
+    room.mkdir()
+    (tmp_path / "white.toml").write_text("materials.white = { reflectance = 0.5, emission = 1 }")
+    surface = 'surfaces = [{ name = "a", material = "white", sphere = { center = [0, 0, 0], radius = 1 } }]'
+    monkeypatch.chdir(room)
+    for path in ["../white.toml", str(tmp_path / "white.toml")]:
+        text = f'include = "{path}"\n{surface}'
+        (room / "room.toml").write_text(text)
+        for read in [lambda: radiosity.load("room.toml"), lambda text=text: Scene.from_toml(text)]:
+            with pytest.raises(Error, match="outside the folder of the scene") as refused:
+                read()
+            assert f'include: "{path}"' in str(refused.value)
+            assert "put a copy of it into the folder of the scene" in str(refused.value)
+    (room / "white.toml").write_text((tmp_path / "white.toml").read_text())
+    assert Scene.from_toml(f'include = "white.toml"\n{surface}').surfaces == ["a"]

@@ -87,11 +87,6 @@ fn solve<'a>(more: &[&[&'a str]]) -> Vec<&'a str> {
 fn a_folder_that_holds_something_else_is_refused() {
     let folder = folder();
     let folder = folder.path();
-    refused(
-        folder,
-        &solve(&[&RESUME]),
-        &["--checkpoint kept: no run was recorded here", "leave --resume out"],
-    );
     refused(folder, &solve(&[&["--resume"]]), &["--checkpoint <FOLDER>"]);
     refused(
         folder,

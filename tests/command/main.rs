@@ -23,6 +23,7 @@ mod inspection;
 mod language;
 mod luminaires;
 mod matrices;
+mod outside;
 mod pictures;
 mod planes;
 mod probe;

@@ -110,7 +110,7 @@ fn refined_elements_are_read_as_they_were() {
     assert_eq!(text_of(&again), text);
     let mut file: Value = serde_json::from_str(&text).unwrap();
     file["mesh"][0] = json!({ "cut": { "across": "u", "at": 3.0, "parts": [{ "leaf": 2 }, { "leaf": 2 }] } });
-    let message = read(&Source::new("a.json", &file.to_string())).unwrap_err().to_string();
+    let message = read(&Source::new("a.json", &sealed(&file))).unwrap_err().to_string();
     assert!(message.contains("the mesh"), "{message}");
 }
 
@@ -141,11 +141,17 @@ fn a_reader_needs_nothing_but_the_file_to_evaluate_it() {
     assert!((value - known).abs() < 1e-12 * known.abs(), "{value} {known}");
 }
 
-/// The message about a file whose tree was changed.
+/// The text of a file whose tree was changed, with the checksum of what it says, as far as it is one.
+fn sealed(file: &Value) -> String {
+    let parsed = serde_json::from_value::<SolutionFile>(file.clone()).ok();
+    parsed.map_or_else(|| file.to_string(), |file| serde_json::to_string(&file.sealed()).unwrap())
+}
+
+/// The message about a file whose tree was changed, by one who wrote its checksum anew.
 fn refused(change: impl Fn(&mut Value)) -> String {
     let mut file: Value = serde_json::from_str(&text_of(&solved())).unwrap();
     change(&mut file);
-    read(&Source::new("a.json", &file.to_string())).unwrap_err().to_string()
+    read(&Source::new("a.json", &sealed(&file))).unwrap_err().to_string()
 }
 
 #[test]
@@ -170,6 +176,30 @@ fn changed_files_are_refused() {
     );
     let message = refused(|file| file["options"]["method"] = "guess".into());
     assert!(message.contains("guess"), "{message}");
+}
+
+#[test]
+fn damage_is_told() {
+    let text = text_of(&solved());
+    for (old, new) in [("\"energy_in\":", "\"energy_in\":1"), ("rooms/room.toml", "rooms/roam.toml")] {
+        let changed = text.replacen(old, new, 1);
+        assert_ne!(changed, text, "{old} is there");
+        let error = read(&Source::new("a.json", &changed)).map(drop).unwrap_err();
+        assert_eq!(error.to_string(), "a.json: damaged: its checksum is not that of its content", "{old}");
+        assert_eq!(error.cure(), "the file is damaged or was changed: solve the scene again");
+    }
+    // One who writes the same content in another way did no damage.
+    let file: Value = serde_json::from_str(&text).unwrap();
+    assert!(read(&Source::new("a.json", &format!("{file:#}"))).is_ok());
+}
+
+#[test]
+fn light_that_nothing_makes_is_refused() {
+    let message = refused(|file| file["elements"][2]["orthonormal"]["direct"][1][0] = 1e20.into());
+    assert!(
+        message.contains("element 2: the size of the coefficients is not that of its scene"),
+        "{message}"
+    );
 }
 
 #[test]

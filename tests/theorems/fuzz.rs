@@ -6,6 +6,8 @@ use proptest::test_runner::{Config, TestRunner};
 use radiosity::elements::{Discretization, Elements};
 use radiosity::scene::{Scene, Source};
 use radiosity::visibility::inspection::Inspection;
+use radiosity_test_support::mutations::break_often;
+use radiosity_test_support::readers::{Reader, ReaderAtWork, WORDS};
 use radiosity_test_support::scenes::EVERY_SHAPE;
 
 const BUILT_IN: [&str; 5] = ["cornell-box", "empty-box", "furnace-cube", "occluder-box", "hinge-squares"];
@@ -226,6 +228,16 @@ fn run(cases: u32) {
         .unwrap_or_else(|error| panic!("{error}"));
     // Were nearly all refused, little would have been tried.
     assert!(read.get() > cases / 20, "only {} of {cases} texts were read", read.get());
+}
+
+/// `cargo run --release -p radiosity-studies --bin mutations` tries more, and takes time and memory.
+#[test]
+fn broken_files_of_every_reader_are_read_or_refused() {
+    for reader in Reader::ALL {
+        let at_work = ReaderAtWork::new(reader);
+        assert!(at_work.read(&at_work.whole), "{reader:?}: the file itself is right");
+        break_often(25, &at_work.whole, &WORDS, |bytes| drop(at_work.read(bytes)));
+    }
 }
 
 #[test]

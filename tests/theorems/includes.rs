@@ -109,7 +109,9 @@ fn a_solution_needs_no_file() {
     assert_eq!(serde_json::to_string(&SolutionFile::new(&again)).unwrap(), text);
     let mut file: serde_json::Value = serde_json::from_str(&text).unwrap();
     file["scene"]["included"] = serde_json::json!([]);
-    let message = read(&Source::new("a.json", &file.to_string())).unwrap_err().to_string();
+    let file: SolutionFile = serde_json::from_value(file).unwrap();
+    let text = serde_json::to_string(&file.sealed()).unwrap();
+    let message = read(&Source::new("a.json", &text)).unwrap_err().to_string();
     assert!(message.contains("cannot be included: the text is not that of a file"), "{message}");
 }
 

@@ -35,7 +35,7 @@ use crate::{
     console,
     error::CliError,
     exposure::TypedExposure,
-    loaded::Loaded,
+    loaded::{Loaded, outside},
     numbers::{counts, number},
     options::SceneArg,
     points::Points,
@@ -268,6 +268,7 @@ pub(crate) fn run(args: &AnimateArgs, loaded: Loaded, ranks: &Ranks) -> Result<(
     if !args.quiet {
         let mut lines = summary::lines(&follower, made, begun.elapsed().as_secs_f64());
         lines.extend(RanksWork::so_far(ranks, asked.threads).map(|work| work.to_string()));
+        lines.extend(outside(scene));
         lines.extend(chosen);
         lines.extend(exposure.map(|exposure| exposure.told(RADIOSITY, &scene.unit)));
         lines.extend(error.told().map(|_| error.to_string()));

@@ -15,6 +15,7 @@ use radiosity_reading::judging::JudgedRun;
 use radiosity_request::{
     AuditRequest, HeatRequest, MethodRequest, ReadRequest, TransferRequest, require_all_light,
 };
+use radiosity_scene::Scene;
 use radiosity_solve::in_threads;
 use radiosity_solve::view_factors::ViewFactors;
 use radiosity_work::Work;
@@ -27,7 +28,7 @@ use crate::{
     destination::Destination,
     error::CliError,
     format,
-    loaded::Loaded,
+    loaded::{Loaded, outside},
     options::{PARAMETER_OR_GROUP, SCENE_OR_SOLUTION, SceneArg},
     output_file::OutputFile,
     progress::Progress,
@@ -234,7 +235,7 @@ impl AuditArgs {
         let judged = options.options.in_threads(ranks, judge)??;
         progress.clear();
         outlet.write(&output::heat::judgement(&judged), self, ranks)?;
-        self.tell_written(ranks);
+        self.tell_files(&scene, ranks);
         self.judge("the heat is", &judged.checked)
     }
 
@@ -259,14 +260,16 @@ impl AuditArgs {
             ));
         }
         outlet.write(&output::view_factors::judgement(&judged), self, ranks)?;
-        self.tell_written(ranks);
+        self.tell_files(&scene, ranks);
         self.judge("the view factors are", &judged.checked)
     }
 
-    /// Tells which file was written, where one was.
-    fn tell_written(&self, ranks: &Ranks) {
-        if let Some(path) = self.output.as_ref().filter(|_| !self.run.report.quiet) {
-            console::tell(&[format!("wrote {}", path.display())], ranks);
+    /// Tells which files were read outside the folder of the scene, and which was written, where one was.
+    fn tell_files(&self, scene: &Scene, ranks: &Ranks) {
+        let written = self.output.as_ref().map(|path| format!("wrote {}", path.display()));
+        let lines: Vec<String> = outside(scene).into_iter().chain(written).collect();
+        if !lines.is_empty() && !self.run.report.quiet {
+            console::tell(&lines, ranks);
         }
     }
 

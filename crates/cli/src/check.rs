@@ -17,7 +17,7 @@ use radiosity_visibility::inspection::{
 use radiosity_work::ranks::Ranks;
 use serde_json::{Value, json};
 
-use crate::{console, error::CliError, materials, options::SceneArg};
+use crate::{console, error::CliError, loaded::outside, materials, options::SceneArg};
 
 /// Says what is in a scene, what touches what, and what looks wrong
 #[derive(Debug, Args)]
@@ -85,8 +85,18 @@ fn lines(scene: &Scene, inspection: &Inspection) -> Vec<String> {
     lines.push(format!("camera: {}", camera.as_deref().unwrap_or("none")));
     lines.extend(scene.planes.iter().map(|plane| format!("plane: {}", plane_line(plane))));
     lines.extend(warning_lines(warnings));
-    lines.extend(warnings.is_empty().then(|| nothing_wrong(scene)));
+    lines.extend(warnings.is_empty().then(|| clean(scene).to_owned()));
     lines
+}
+
+/// Words on a scene without warnings.
+fn clean(scene: &Scene) -> &'static str {
+    match scene.imported() {
+        Some(Imported { notes, repairs, .. }) if !(notes.is_empty() && repairs.is_empty()) => {
+            "nothing else looks wrong: what the import left out, turned or repaired is told above"
+        }
+        _ => "nothing looks wrong",
+    }
 }
 
 /// The head, and lines on surfaces, their materials and contacts.
@@ -100,6 +110,7 @@ fn lines_on_surfaces(scene: &Scene, inspection: &Inspection) -> Vec<String> {
         format!("surfaces: {}, of which {emitters} emit; total area {area:.6}\n", surfaces.len()),
     ];
     lines.extend(scene.imported().into_iter().flat_map(Imported::lines));
+    lines.extend(outside(scene));
     if !variables.is_empty() {
         let variables = variables.iter().map(|(name, value)| format!("{name} = {value}"));
         lines.push(format!("variables: {}\n", variables.collect::<Vec<_>>().join(", ")));
@@ -396,20 +407,6 @@ fn numbers(numbers: &[f64]) -> String {
     let equal = numbers.iter().all(|number| *number == numbers[0]);
     let shown = if equal { &numbers[..1] } else { numbers };
     shown.iter().map(f64::to_string).collect::<Vec<_>>().join(", ")
-}
-
-/// The end of findings without a warning, which does not pass over what an import left out.
-fn nothing_wrong(scene: &Scene) -> String {
-    match scene.imported().map_or(0, |imported| imported.notes.len()) {
-        0 => "nothing looks wrong".to_owned(),
-        count => {
-            format!("nothing else looks wrong, but parts of the file were left out: {}", lines_above(count))
-        }
-    }
-}
-
-fn lines_above(count: usize) -> String {
-    if count == 1 { "see the line above".to_owned() } else { format!("see the {count} lines above") }
 }
 
 fn camera_line(camera: &Camera, middle: DVec3) -> String {

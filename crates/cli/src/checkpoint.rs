@@ -23,8 +23,8 @@ pub(crate) struct CheckpointArgs {
     #[arg(long, value_name = "FOLDER")]
     checkpoint: Option<PathBuf>,
 
-    /// Goes on from what --checkpoint holds, with any number of threads and processes; results are those of
-    /// one run, bit for bit
+    /// Goes on from what --checkpoint holds, or begins where it holds nothing yet, with any number of threads
+    /// and processes; results are those of one run, bit for bit
     #[arg(long, requires = "checkpoint")]
     resume: bool,
 }

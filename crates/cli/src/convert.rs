@@ -16,7 +16,12 @@ use radiosity_scene::{Notation, Scene, Source};
 use radiosity_work::ranks::Ranks;
 
 use crate::{
-    console, error::CliError, format, loaded::relit, options::SceneArg, solution_format::SolutionFormat,
+    console,
+    error::CliError,
+    format,
+    loaded::{outside, relit},
+    options::SceneArg,
+    solution_format::SolutionFormat,
 };
 
 const EXAMPLES: &str = "\
@@ -137,6 +142,7 @@ struct Texts {
 fn texts(args: &ConvertArgs, target: Target, materials: &str, ranks: &Ranks) -> Result<Texts, CliError> {
     let scene = args.scene.request().load(ranks)?;
     let mut remarks: Vec<String> = scene.imported().map(|own| own.lines().collect()).unwrap_or_default();
+    remarks.extend(outside(&scene));
     if let (Target::Own(notation), None) = (target, args.tessellate) {
         check_includes(args, &scene)?;
         return Ok(Texts { scene: radiosity_language::text(&scene, notation)?, materials: None, remarks });

@@ -8,7 +8,7 @@ use radiosity_language::Import;
 use radiosity_reading::files::solution_file::{is_solution, read};
 use radiosity_request::MethodRequest;
 use radiosity_request::view::{View, ViewRequest};
-use radiosity_scene::Scene;
+use radiosity_scene::{Reach, Scene};
 use radiosity_solve::Options;
 use radiosity_solve::solved::Solved;
 use radiosity_work::ranks::Ranks;
@@ -80,7 +80,7 @@ impl Loaded {
     /// Reads a solution file, with its light groups at the factors that were set.
     pub(crate) fn solved(path: &str, settings: &[(String, f64)], ranks: &Ranks) -> Result<Self, CliError> {
         let started = Instant::now();
-        let source = radiosity_language::source_by(path, &[], &Import::default(), ranks)?;
+        let source = radiosity_language::source_by(path, &[], &Import::default(), Reach::Inside, ranks)?;
         if !is_solution(&source.text()) {
             return Err(CliError::refused(
                 format!("{}: this is no solution", source.origin),
@@ -166,6 +166,14 @@ pub(crate) fn relit(solved: Solved, factors: &[(&str, f64)]) -> Result<Solved, C
     if factors.is_empty() { Ok(solved) } else { Ok(solved.relight(factors)?) }
 }
 
+/// The files that were read outside the folder of a scene, in a sentence.
+pub(crate) fn outside(scene: &Scene) -> Option<String> {
+    let files = scene.source.as_ref()?.outside();
+    let names: Vec<&str> = files.iter().map(String::as_str).collect();
+    (!names.is_empty())
+        .then(|| format!("read outside the folder of the scene (--inside refuses it): {}", names.join(", ")))
+}
+
 /// Most remarks on a scene of another program that a summary spells out. Chosen.
 const SPELT: usize = 12;
 
@@ -178,6 +186,7 @@ pub(crate) fn remarks(scene: &Scene) -> Vec<String> {
         all.truncate(SPELT - 1);
         all.push(format!("{} more remarks: `radiosity check` and --report say them all", count - SPELT + 1));
     }
+    all.extend(outside(scene));
     all.extend(scene.fitted.line());
     all
 }

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use clap::{ArgMatches, Args, Command, parser::ValueSource};
 use radiosity_request::ranges::Length;
 use radiosity_request::{ImportRequest, MethodRequest, SceneRequest};
+use radiosity_scene::Reach;
 use radiosity_work::ranks::Ranks;
 
 use crate::{error::CliError, numbers::number, output_file::OutputFile};
@@ -45,6 +46,11 @@ pub(crate) struct SceneArg {
     #[arg(long)]
     pub(crate) strict: bool,
 
+    /// Refuses files outside the folder of the scene that it names; else they are read, and the summary lists
+    /// them
+    #[arg(long)]
+    pub(crate) inside: bool,
+
     #[command(flatten)]
     pub(crate) import: ImportRequest,
 }
@@ -58,6 +64,7 @@ impl SceneArg {
             frame: self.frame,
             tolerance: self.tolerance_length,
             strict: self.strict,
+            reach: if self.inside { Reach::Inside } else { Reach::Anywhere },
             import: self.import.clone(),
         }
     }

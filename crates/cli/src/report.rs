@@ -16,7 +16,13 @@ use radiosity_solve::Options;
 use radiosity_work::ranks::Ranks;
 use radiosity_work::{Progress as Event, Stage, Work};
 
-use crate::{console, error::CliError, loaded::Loaded, progress::Progress, run::RunArgs};
+use crate::{
+    console,
+    error::CliError,
+    loaded::{Loaded, outside},
+    progress::Progress,
+    run::RunArgs,
+};
 pub(crate) use args::ReportPageArgs;
 use light::ReportLight;
 use report_files::ReportFiles;
@@ -71,6 +77,7 @@ fn run_in_the_dark(
     if !report.quiet {
         let mut lines: Vec<String> = checkpoint.iter().map(Checkpoint::to_string).collect();
         lines.extend(checkpoint.and_then(|own| own.warning()).map(|warning| warning.to_string()));
+        lines.extend(outside(loaded.scene()));
         lines.push(format!("wrote {}", files.written()));
         console::tell(&lines, ranks);
     }

@@ -22,12 +22,12 @@ mod nodes;
 use radiosity_photometry::error::{Refusal, refuse_at};
 use radiosity_photometry::text::short;
 
-use crate::files::Files;
 use crate::mesh::Mesh;
 use crate::model::Model;
 use accessor::Accessors;
 use json::Json;
 use nodes::Nodes;
+use radiosity_photometry::files::Files;
 use scheme::Root;
 
 /// Beginnings of the names of extensions that a file may require: what they add is noted or needs no care.

@@ -6,7 +6,7 @@ use std::rc::Rc;
 use radiosity_photometry::error::{Refusal, refuse};
 use radiosity_photometry::text::{decode, short};
 
-use crate::files::Files;
+use radiosity_photometry::files::Files;
 
 /// Most files that are open at once: scenes have a few in one another, and files that include themselves end
 /// here.
@@ -75,10 +75,8 @@ impl<'a> Includes<'a> {
             return Ok(text.clone());
         }
         let bytes = self.files.bytes(path).map_err(|error| {
-            Refusal::new(
-                format!("the included file '{}' cannot be read: {error}", short(path)),
-                "put it beside the scene, or take the include out",
-            )
+            let what = format!("the included file '{}'", short(path));
+            error.refusal(&what, "put it beside the scene, or take the include out")
         })?;
         let text: Rc<str> = decode(&bytes)
             .map_err(|fault| {

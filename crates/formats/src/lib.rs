@@ -4,7 +4,7 @@
 //! Flow: bytes → [`read`] → `Model` → [`repair`] → a scene of `radiosity`, or text of another format
 //! (`write`). Files of luminaires are read by `photometry`.
 //!
-//! In order: [`tolerances`], [`files`] (that a scene names), [`model`], `names` and `colour` (what readers
+//! In order: [`tolerances`], [`model`], `names` and `colour` (what readers
 //! make); [`format`](mod@format) (which there are); [`picture`] (PNG and OpenEXR → numbers of texels);
 //! `lines`, `scalar`, `budget`, `includes`, `xform`, `merge`, `builder` and [`mesh`] (what readers share);
 //! the readers, `mgf` to `vs3`, three with a writer; `read` and `write` (any of them); `materials`, `unit`
@@ -13,7 +13,6 @@
 //! Imports `geom`, `fit` and `photometry`.
 
 pub mod tolerances;
-pub mod files;
 pub mod model;
 pub mod names;
 pub mod colour;

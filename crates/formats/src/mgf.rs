@@ -13,9 +13,9 @@ pub mod write;
 use radiosity_photometry::error::Refusal;
 use radiosity_photometry::text::decode;
 
-use crate::files::Files;
 use crate::mgf::reader::Reader;
 use crate::model::Model;
+use radiosity_photometry::files::Files;
 
 /// Reads the scene `file`; `files` finds what it includes.
 ///

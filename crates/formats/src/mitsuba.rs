@@ -36,8 +36,8 @@ mod scene;
 use radiosity_photometry::error::Refusal;
 use radiosity_photometry::text::decoded;
 
-use crate::files::Files;
 use crate::model::Model;
+use radiosity_photometry::files::Files;
 
 /// Reads the scene `file`; `files` finds its meshes and what it includes.
 ///

@@ -19,15 +19,14 @@ pub mod write;
 
 use std::collections::{HashMap, HashSet};
 use std::f64::consts::PI;
-use std::io;
 
 use radiosity_photometry::error::{Refusal, refuse_at};
 use radiosity_photometry::file_place::FilePlace;
+use radiosity_photometry::files::{Files, Unread};
 use radiosity_photometry::text::decoded;
 use radiosity_photometry::text::short;
 
 use crate::colour::UNKNOWN;
-use crate::files::Files;
 use crate::mesh::Mesh;
 use crate::model::{Material, Model};
 use crate::tolerances::MOST_BYTES_OF_TEXT;
@@ -90,6 +89,10 @@ fn libraries(
             read.insert(name.clone());
             let bytes = match bytes {
                 Ok(bytes) => bytes,
+                Err(Unread::Outside) => {
+                    let refusal = Unread::Outside.refusal(&format!("the mtllib '{}'", short(&name)), "");
+                    return Err(refusal.at(FilePlace::Line(*line)));
+                }
                 Err(error) => {
                     missing.push((format!("'{}' cannot be read: {error}", short(&name)), *line));
                     continue;
@@ -118,12 +121,13 @@ fn libraries(
 }
 
 /// The files that a statement names and that are not yet read: one whose name has blanks, or several.
-fn bytes(names: &str, read: &HashSet<String>, files: &dyn Files) -> Vec<(String, io::Result<Vec<u8>>)> {
+fn bytes(names: &str, read: &HashSet<String>, files: &dyn Files) -> Vec<(String, Result<Vec<u8>, Unread>)> {
     if read.contains(names) {
         return Vec::new();
     }
-    if let Ok(bytes) = files.bytes(names) {
-        return vec![(names.to_owned(), Ok(bytes))];
+    let whole = files.bytes(names);
+    if !matches!(whole, Err(Unread::Failed(_))) {
+        return vec![(names.to_owned(), whole)];
     }
     let each = names.split_whitespace().filter(|name| !read.contains(*name));
     each.map(|name| (name.to_owned(), files.bytes(name))).collect()

@@ -10,13 +10,13 @@ mod header;
 mod numbers;
 mod elements;
 
-use crate::files::Files;
 use crate::mesh::Mesh;
 use crate::model::Model;
 use elements::Elements;
 use header::{Encoding, Header};
 use numbers::{Bits, Words};
 use radiosity_photometry::error::Refusal;
+use radiosity_photometry::files::Files;
 
 /// Parts that a file without faces lacks, for messages.
 pub(crate) const FACES: &str = "faces with a list vertex_indices";

@@ -13,10 +13,10 @@ mod reader;
 use radiosity_photometry::error::Refusal;
 use radiosity_photometry::text::decode;
 
-use crate::files::Files;
 use crate::model::Model;
 use crate::rad::commands::Frame;
 use crate::rad::reader::Reader;
+use radiosity_photometry::files::Files;
 
 /// Reads the scene `file`; `files` finds what its commands name.
 ///

@@ -1,10 +1,10 @@
 //! Reads a scene in any of the formats.
 
-use crate::files::Files;
 use crate::format::Format;
 use crate::model::Model;
 use crate::{gltf, mgf, mitsuba, obj, ply, rad, stl, vs3};
 use radiosity_photometry::error::Refusal;
+use radiosity_photometry::files::Files;
 
 /// Reads `bytes`, the contents of `file`, in a format; `files` finds the files that it names.
 ///

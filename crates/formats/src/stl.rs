@@ -10,10 +10,10 @@
 mod bits;
 mod text;
 
-use crate::files::Files;
 use crate::mesh::Mesh;
 use crate::model::Model;
 use radiosity_photometry::error::Refusal;
+use radiosity_photometry::files::Files;
 
 /// Reads an STL of the name `file`. It names no other files.
 ///

@@ -63,10 +63,7 @@ pub(crate) const MOST_VERTICES: usize = 10_000_000;
 /// [`MOST_VERTICES`]. A file of few bytes cannot ask for more memory than that.
 pub(crate) const MOST_ROWS: usize = 40_000_000;
 
-/// Most bytes that are read from one file: some million surfaces. An endless one ends here.
-pub const MOST_BYTES: u64 = 1 << 30;
-
-/// Most bytes of all buffers of a glTF, which are held at once, as [`MOST_BYTES`].
+/// Most bytes of all buffers of a glTF, which are held at once, as those of one file.
 pub(crate) const MOST_BYTES_OF_BUFFERS: usize = 1 << 30;
 
 /// Most bytes of text beside meshes, held at once: of the JSON of a glTF, of all material files of an OBJ, of

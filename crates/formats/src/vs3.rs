@@ -32,9 +32,9 @@ use radiosity_photometry::text::decode;
 
 use self::statements::{Corners, Input, OBSTRUCTION, Statement, SurfaceRole};
 use crate::builder::{Coat, ModelBuilder};
-use crate::files::Files;
 use crate::model::{Model, Shape, Sides};
 use crate::tolerances::{GREATEST, STEPS_OF_EMITTANCE};
+use radiosity_photometry::files::Files;
 
 /// Greatest distance of a surface from the plane of its base, in multiples of the base's size, as View3D
 /// allows it.

@@ -4,11 +4,10 @@
 //! one surface on a line. The text is that of any other scene from there on: solution files keep it, and need
 //! no other reader.
 
-use std::{fmt, path::Path};
+use std::{collections::BTreeSet, fmt, path::Path};
 
 use radiosity_formats::{
     colour,
-    files::{Beside, Files, NoFiles},
     format::Format,
     materials::{self, SideFile},
     model::{Model, Sides},
@@ -17,7 +16,12 @@ use radiosity_formats::{
     unit::Unit,
     up::Up,
 };
-use radiosity_photometry::{error::Refusal, file_place::FilePlace, note::Note};
+use radiosity_photometry::{
+    error::Refusal,
+    file_place::FilePlace,
+    files::{Files, Folder, NoFiles, Reach},
+    note::Note,
+};
 use radiosity_scene::{Fault, FaultKind, Imported, Notation, SceneError, Source};
 use radiosity_work::{
     ranks::Ranks,
@@ -57,27 +61,36 @@ impl Import {
     }
 
     /// Reads and repairs the scene in `file`, or in standard input for `-`, which the first of these ranks
-    /// shares.
+    /// shares; and says which files it was read from outside its folder, where it may reach for them.
     ///
     /// # Errors
     /// A file that cannot be read, or is against the rules of the format; with [`Import::strict`] what needs
     /// repairs.
-    fn model(&self, file: &str, format: Format, ranks: &Ranks) -> Result<(Model, Imported), SceneError> {
-        let bytes = input::bytes(file, ranks);
-        let bytes = bytes.map_err(|error| SceneError::of(file, input::unreadable(&error)))?;
-        let files: &dyn Files = if file == "-" { &NoFiles } else { &Beside::scene(Path::new(file)) };
-        let name = if file == "-" { "<stdin>" } else { file };
-        self.of_bytes(name, &bytes, format, files)
-    }
-
-    fn of_bytes(
+    fn model(
         &self,
         file: &str,
-        bytes: &[u8],
         format: Format,
-        files: &dyn Files,
+        reach: Reach,
+        ranks: &Ranks,
+    ) -> Result<(Model, Imported, BTreeSet<String>), SceneError> {
+        let bytes = input::bytes(file, ranks);
+        let bytes = bytes.map_err(|error| SceneError::of(file, input::unreadable(&error)))?;
+        let folder = Folder::of_scene(Path::new(file), reach);
+        let (name, files): (_, &dyn Files) =
+            if file == "-" { ("<stdin>", &NoFiles) } else { (file, &folder) };
+        let model = read(format, name, &bytes, files);
+        let model = model.map_err(|refusal| refused(folder.discreet(refusal)))?;
+        let (model, imported) = self.repaired(model, name, format)?;
+        Ok((model, imported, folder.outside()))
+    }
+
+    /// The model in `file` with the materials, the unit and the axis that were asked for, repaired.
+    fn repaired(
+        &self,
+        mut model: Model,
+        file: &str,
+        format: Format,
     ) -> Result<(Model, Imported), SceneError> {
-        let mut model = read(format, file, bytes, files).map_err(refused)?;
         let replaced = match &self.materials {
             Some(side) => materials::apply(side, &mut model).map_err(refused)?,
             None => Vec::new(),
@@ -119,12 +132,20 @@ impl Import {
     ///
     /// # Errors
     /// As [`Import::model`].
-    pub(super) fn source(&self, file: &str, format: Format, ranks: &Ranks) -> Result<Source, SceneError> {
-        let (model, imported) = self.model(file, format, ranks)?;
+    pub(super) fn source(
+        &self,
+        file: &str,
+        format: Format,
+        reach: Reach,
+        ranks: &Ranks,
+    ) -> Result<Source, SceneError> {
+        let (model, imported, outside) = self.model(file, format, reach, ranks)?;
         let text = model_text(&model, Notation::Json);
         // Places in messages are those of this text, not of the file.
         let origin = format!("{} (as read)", imported.file);
-        Ok(Source::new(&origin, &text).made_from(imported))
+        let mut source = Source::new(&origin, &text).made_from(imported);
+        source.record_outside(outside);
+        Ok(source)
     }
 }
 

@@ -11,6 +11,7 @@ use std::{
     sync::Arc,
 };
 
+use radiosity_photometry::files::{CURE_OF_OUTSIDE, Folder, FoundFile, Unread};
 use radiosity_scene::{
     Fault, FaultKind, Source,
     error::Located,
@@ -45,8 +46,9 @@ pub(super) struct FileTree {
 /// The trees of all files, that of `source` itself last; texts that are read are added to `source`.
 pub(super) fn trees(source: &mut Source, language: Language) -> Result<Vec<FileTree>, Located> {
     *source = source.clone().as_polygon_list(Language::is_polygon_list(source));
-    let mut files = Files { source, done: Vec::new(), trees: Vec::new() };
-    let origin = files.source.origin.to_string();
+    let origin = source.origin.to_string();
+    let folder = source.reach().map(|reach| Folder::of_scene(Path::new(&origin), reach));
+    let mut files = NamedFiles { source, folder, done: Vec::new(), trees: Vec::new() };
     let tree = tree_of(files.source, language)?;
     files.take(tree, String::new(), &mut vec![origin])?;
     Ok(files.trees)
@@ -70,26 +72,32 @@ fn parsed(text: &str, language: Language) -> Result<Node, Located> {
 }
 
 /// Files on their way into a scene.
-struct Files<'a> {
+struct NamedFiles<'a> {
     source: &'a mut Source,
+    /// Where files are read; none where no file may be.
+    folder: Option<Folder>,
     /// The files that were begun.
     done: Vec<String>,
     trees: Vec<FileTree>,
 }
 
-impl Files<'_> {
+impl NamedFiles<'_> {
     /// Takes in the files that a tree includes, then the tree; `path` leads to its file from the first.
     fn take(&mut self, tree: Arc<Node>, prefix: String, path: &mut Vec<String>) -> Result<(), Located> {
         for name in names(&tree)? {
             self.include(&name, path)?;
         }
+        let from = path.last().map_or("", String::as_str);
+        let at =
+            |name: &At<String>, key: &str, fault| Located::at(&name.span, fault).within(|| key.to_owned());
         for name in photometric_files(&tree) {
-            let file = beside(path.last().map_or("", String::as_str), &name.value);
-            self.text(&file, input::western).map_err(|fault| Located::at(&name.span, fault))?;
+            let file = beside(from, &name.value);
+            let read = self.text(&file, &name.value, input::western);
+            read.map_err(|fault| at(&name, PHOTOMETRY, fault))?;
         }
         for name in pictures(&tree) {
-            let file = beside(path.last().map_or("", String::as_str), &name.value);
-            self.picture(&file).map_err(|fault| Located::at(&name.span, fault))?;
+            let file = beside(from, &name.value);
+            self.picture(&file, &name.value).map_err(|fault| at(&name, IMAGE, fault))?;
         }
         self.trees.push(FileTree { tree, prefix });
         Ok(())
@@ -109,7 +117,7 @@ impl Files<'_> {
             return Err(at_name(Fault::too_deep("files", DEEPEST)));
         }
         self.done.push(file.clone());
-        let (text, base) = self.text(&file, input::file).map_err(at_name)?;
+        let (text, base) = self.text(&file, &name.value, input::decoded).map_err(at_name)?;
         let mut tree =
             parsed(&text, Language::of_text(&file, &text)).map_err(|located| located.shifted(base))?;
         tree.shift(base);
@@ -122,29 +130,44 @@ impl Files<'_> {
     }
 
     /// Reads the bytes of a picture, each picture once.
-    fn picture(&mut self, file: &str) -> Result<(), Fault> {
+    fn picture(&mut self, file: &str, typed: &str) -> Result<(), Fault> {
         if self.source.picture(file).is_some() {
             return Ok(());
         }
-        if !self.source.reads_files() {
-            return Err(no_files(file));
-        }
-        let bytes = input::of_file(file).map_err(|error| unreadable(file, &error))?;
+        let bytes = self.bytes(file, typed)?;
         self.source.add_picture(file, bytes.into());
         Ok(())
     }
 
-    /// The text of an included file, as `read` reads it, and its first byte in places of the whole.
-    fn text(&mut self, file: &str, read: fn(&str) -> io::Result<String>) -> Result<(Arc<str>, usize), Fault> {
+    /// The text of a named file, as `decode` decodes it, and its first byte in places of the whole.
+    fn text(
+        &mut self,
+        file: &str,
+        typed: &str,
+        decode: fn(Vec<u8>) -> io::Result<String>,
+    ) -> Result<(Arc<str>, usize), Fault> {
         if let Some(known) = self.source.included_text(file) {
             return Ok(known);
         }
-        if !self.source.reads_files() {
-            return Err(no_files(file));
-        }
-        let text = read(file).map_err(|error| unreadable(file, &error))?;
+        let text = decode(self.bytes(file, typed)?).map_err(|error| unreadable(file, &error))?;
         self.source.include(file, &text);
         self.source.included_text(file).ok_or_else(|| no_files(file))
+    }
+
+    /// The bytes of `file`, which the scene calls `typed`.
+    fn bytes(&mut self, file: &str, typed: &str) -> Result<Vec<u8>, Fault> {
+        let folder = self.folder.as_ref().ok_or_else(|| no_files(file))?;
+        match folder.read(Path::new(file)) {
+            Ok(FoundFile { bytes, is_outside }) => {
+                self.source.record_outside(is_outside.then(|| file.to_owned()));
+                Ok(bytes)
+            }
+            Err(Unread::Failed(error)) => Err(unreadable(file, &error)),
+            Err(Unread::Outside) => {
+                let cause = format!("{typed:?} is outside the folder of the scene, and is not read");
+                Err(Fault::new(FaultKind::Include, cause, CURE_OF_OUTSIDE))
+            }
+        }
     }
 }
 
@@ -157,6 +180,14 @@ fn unreadable(file: &str, error: &io::Error) -> Fault {
 pub(super) fn no_files(file: &str) -> Fault {
     let cause = format!("{file:?} cannot be included: the text is not that of a file");
     Fault::new(FaultKind::Include, cause, "read the scene from its file, such as `radiosity check room.toml`")
+}
+
+/// A fault in the content of `file`; of one outside the folder of the scene it shows nothing.
+pub(super) fn shown(file: &str, fault: Fault, source: &Source) -> Fault {
+    match source.outside().contains(file) {
+        true => fault.discreet(),
+        false => fault,
+    }
 }
 
 /// The pictures of the materials of a tree, as far as they are given rightly.

@@ -3,6 +3,7 @@
 use std::{collections::BTreeSet, io, path::Path};
 
 use radiosity_formats::format::Format;
+use radiosity_photometry::files::Reach;
 use radiosity_scene::{
     Fault, FaultKind, Scene, SceneError, SceneSurface, Source,
     error::Located,
@@ -45,7 +46,7 @@ pub fn builtin(name: &str) -> Result<Scene, SceneError> {
 
 /// The source of a built-in scene by its name, of standard input for `-`, or else of the file at the path
 /// `name`, with parameters of a built-in scene, or variables of any other, set by name: of two settings of
-/// one name the last counts. Files that a text includes are read with the scene.
+/// one name the last counts. Files that it names are read from its folder and below ([`Reach::Inside`]).
 ///
 /// A file whose ending names a format of another program ([`Format`](radiosity_formats::format::Format)) is
 /// read in that and repaired.
@@ -54,11 +55,11 @@ pub fn builtin(name: &str) -> Result<Scene, SceneError> {
 /// A file that cannot be read, an unknown name of a scene; or of a parameter, a parameter
 /// out of its range.
 pub fn source(name: &str, settings: &[(&str, f64)]) -> Result<Source, SceneError> {
-    source_by(name, settings, &Import::default(), Ranks::alone())
+    source_by(name, settings, &Import::default(), Reach::Inside, Ranks::alone())
 }
 
-/// The [`source`] called `name`; `import` are the options for a file of another program, and the first of
-/// these ranks shares its standard input.
+/// The [`source`] called `name`, which may `reach` so far for the files that it names; `import` are the options
+/// for a file of another program, and the first of these ranks shares its standard input.
 ///
 /// # Errors
 /// As [`source`], and what is against the rules of the format; with [`Import::strict`] what needs repairs.
@@ -66,6 +67,7 @@ pub fn source_by(
     name: &str,
     settings: &[(&str, f64)],
     import: &Import,
+    reach: Reach,
     ranks: &Ranks,
 ) -> Result<Source, SceneError> {
     if let Some(scene) = builtin::named(name) {
@@ -73,7 +75,7 @@ pub fn source_by(
         return Ok(Source::new(name, &text));
     }
     if let Some(format) = import.format_of(name) {
-        return Ok(import.source(name, format, ranks)?.set(settings.iter().copied()));
+        return Ok(import.source(name, format, reach, ranks)?.set(settings.iter().copied()));
     }
     if let Some(cure) = Format::cure_of_others(name) {
         let cause = "scenes of this format are not read".to_owned();
@@ -81,7 +83,7 @@ pub fn source_by(
     }
     let origin = if name == "-" { "<stdin>" } else { name };
     let text = input::text(name, ranks).map_err(|error| unreadable(name, origin, &error))?;
-    Ok(Source::new(origin, &text).with_files().set(settings.iter().copied()))
+    Ok(Source::new(origin, &text).reaching(reach).set(settings.iter().copied()))
 }
 
 /// Reads a scene, of a text or made in code.

@@ -54,7 +54,8 @@ pub(super) fn pattern(file: &PatternFile, bands: usize, source: &Source) -> Resu
 
 fn read(path: &str, coding: Option<Coding>, source: &Source) -> Result<Picture, Fault> {
     let bytes = source.picture(path).ok_or_else(|| include::no_files(path))?;
-    picture::read(&bytes, coding, MOST_KEPT).map_err(|fault| bad_picture(path, &fault.cause, &fault.cure))
+    let read = picture::read(&bytes, coding, MOST_KEPT);
+    read.map_err(|fault| include::shown(path, bad_picture(path, &fault.cause, &fault.cure), source))
 }
 
 /// A picture that cannot be taken for a pattern.

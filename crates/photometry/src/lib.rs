@@ -1,6 +1,6 @@
 //! Files of luminaires, and the words that all readers of files share: places, faults, refusals, notes.
 //!
-//! In order: `file_place`, `note`, `error`, `text` and `numbers` (reading), `symmetry`, `opening` and `web`
+//! In order: `file_place`, `note`, `error`, `files` (that a scene names), `text` and `numbers` (reading), `symmetry`, `opening` and `web`
 //! (intensities by direction), `ies` and `eulumdat` (the formats) and `luminaire` (either). Imports no other
 //! crate of the workspace.
 //!
@@ -20,6 +20,7 @@
 pub mod file_place;
 pub mod note;
 pub mod error;
+pub mod files;
 pub mod text;
 mod numbers;
 pub mod symmetry;

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use radiosity_formats::{format::Format, materials::SideFile, model::Sides, unit::Unit, up::Up};
 use radiosity_language::{Import, input};
 use radiosity_reading::files::solution_file::is_solution;
-use radiosity_scene::{Scene, SceneError, Source};
+use radiosity_scene::{Reach, Scene, SceneError, Source};
 use radiosity_work::ranks::Ranks;
 use radiosity_work::ranks::journal::fingerprint;
 use radiosity_work::wording::{option, set, words};
@@ -75,6 +75,8 @@ pub struct SceneRequest {
     pub tolerance: Option<f64>,
     /// Whether a scene of another program that needs repairs is refused.
     pub strict: bool,
+    /// How far it may reach for the files that it names.
+    pub reach: Reach,
     /// Options for a scene of another program.
     pub import: ImportRequest,
 }
@@ -176,7 +178,8 @@ impl SceneRequest {
         ranks: &Ranks,
     ) -> Result<Source, LoadError> {
         let import = self.import(strict, ranks)?;
-        let source = radiosity_language::source_by(&self.source, &borrowed(settings), &import, ranks)?;
+        let source =
+            radiosity_language::source_by(&self.source, &borrowed(settings), &import, self.reach, ranks)?;
         let source = source.within(self.tolerance);
         Ok(match self.frame {
             Some(frame) => source.at(frame),

@@ -1,6 +1,6 @@
 //! Errors of scenes: a fault and its place.
 
-use std::fmt;
+use std::{fmt, ops::Range};
 
 use radiosity_work::wording::Wording;
 use thiserror::Error;
@@ -58,9 +58,15 @@ impl Located {
         self
     }
 
-    /// The fault with its place moved by `base` bytes.
+    /// The fault with its place moved by `base` bytes; one of a whole text stands at its first byte.
     pub fn shifted(self, base: usize) -> Self {
-        Located { span: self.span.map(|span| span.start + base..span.end + base), ..self }
+        let Range { start, end } = self.span.unwrap_or_default();
+        Located { span: Some(start + base..end + base), ..self }
+    }
+
+    /// The fault with its kind and place alone: it quotes nothing of a file outside the scene's folder.
+    pub(super) fn discreet(self) -> Self {
+        Located { fault: self.fault.discreet(), owner: None, ..self }
     }
 
     /// The error in a scene without a text.

@@ -3,6 +3,7 @@
 use std::{error::Error, fmt, io, sync::Arc};
 
 use radiosity_geom::ShapeError;
+use radiosity_photometry::files::CURE_OF_HIDDEN;
 use radiosity_work::wording::Wording;
 use strsim::damerau_levenshtein;
 
@@ -91,6 +92,38 @@ pub enum FaultKind {
     Absent,
 }
 
+impl FaultKind {
+    /// The kind in words.
+    pub(crate) fn title(self) -> &'static str {
+        match self {
+            Self::Unreadable(_) | Self::Include => "a file that cannot be read",
+            Self::Foreign => "content that cannot be followed",
+            Self::Syntax => "a syntax error",
+            Self::UnknownKey => "an unknown key",
+            Self::MissingKey => "a missing key",
+            Self::RepeatedKey => "a repeated key",
+            Self::Exclusive => "two keys of which only one may be given",
+            Self::WrongType => "a value of another kind than its key takes",
+            Self::WrongCount => "a list of the wrong length",
+            Self::NotFinite => "a number that is not finite",
+            Self::NotWhole => "a number that is no count",
+            Self::OutOfRange => "a number outside its range",
+            Self::NoValue => "a formula without a value",
+            Self::Times => "times that do not fit",
+            Self::BadText => "a text that is no name",
+            Self::UnknownName => "an unknown name",
+            Self::DuplicateName => "a name that is given twice",
+            Self::Cycle => "something that needs itself",
+            Self::TooMany => "too many of something",
+            Self::NoDirection => "vectors that give no direction",
+            Self::Shape => "a shape that cannot be made",
+            Self::Coincident => "a surface that lies in another one",
+            Self::Conflict => "statements that do not go together",
+            Self::Absent => "something that is needed and absent",
+        }
+    }
+}
+
 impl Fault {
     /// A fault with its cause and its cure, both without a full stop.
     pub fn new(kind: FaultKind, cause: impl Into<String>, cure: impl Into<Wording>) -> Self {
@@ -102,6 +135,16 @@ impl Fault {
         let cure: String = cure.into();
         let cure = if cure.is_empty() { Cure::Told } else { Cure::Words(cure.into()) };
         Self { kind: FaultKind::Foreign, cause: cause.into(), cure }
+    }
+
+    /// The fault by its kind alone: it quotes nothing of a file outside the scene's folder.
+    #[must_use]
+    pub fn discreet(self) -> Self {
+        let cause = format!(
+            "{}, which is not shown, as the file is outside the folder of the scene",
+            self.kind.title()
+        );
+        Self::new(self.kind, cause, CURE_OF_HIDDEN)
     }
 
     /// Two statements that do not go together.

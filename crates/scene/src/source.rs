@@ -1,6 +1,12 @@
 //! Sources of scenes, texts or trees made in code, and places in them.
 
-use std::{borrow::Cow, collections::BTreeMap, sync::Arc};
+use std::{
+    borrow::Cow,
+    collections::{BTreeMap, BTreeSet},
+    sync::Arc,
+};
+
+use radiosity_photometry::files::Reach;
 
 use crate::{
     error::{Located, SceneError},
@@ -35,8 +41,10 @@ pub struct Source {
     included: Arc<Vec<Included>>,
     /// The pictures that it names, or may name: the path and the bytes of each.
     pictures: Arc<BTreeMap<String, Arc<[u8]>>>,
-    /// Whether files that it includes may be read.
-    reads_files: bool,
+    /// How far it may reach for the files that it names; none where it may read no file.
+    reach: Option<Reach>,
+    /// The files that were read outside its folder.
+    outside: Arc<BTreeSet<String>>,
     /// Whether it was read as a plain list of polygons, which has no materials.
     is_polygon_list: bool,
     content: Content,
@@ -94,7 +102,8 @@ impl Source {
             imported: None,
             included: Arc::default(),
             pictures: Arc::default(),
-            reads_files: false,
+            reach: None,
+            outside: Arc::default(),
             is_polygon_list: false,
             content,
         }
@@ -185,14 +194,31 @@ impl Source {
         self.pictures.get(path).cloned()
     }
 
-    /// The source, which may include files.
+    /// The source, which may read files that it names, in the folder of its own name and below.
+    #[must_use]
     pub fn with_files(self) -> Self {
-        Self { reads_files: true, ..self }
+        self.reaching(Reach::Inside)
     }
 
-    /// Whether files that it includes may be read.
-    pub fn reads_files(&self) -> bool {
-        self.reads_files
+    /// The source, which may read files that it names, as far as this from the folder of its own name.
+    #[must_use]
+    pub fn reaching(self, reach: Reach) -> Self {
+        Self { reach: Some(reach), ..self }
+    }
+
+    /// How far it may reach for the files that it names; none where it may read no file.
+    pub fn reach(&self) -> Option<Reach> {
+        self.reach
+    }
+
+    /// The files that were read outside its folder, by the names that messages give them.
+    pub fn outside(&self) -> &BTreeSet<String> {
+        &self.outside
+    }
+
+    /// Records that these files were read outside its folder.
+    pub fn record_outside(&mut self, files: impl IntoIterator<Item = String>) {
+        Arc::make_mut(&mut self.outside).extend(files);
     }
 
     /// The source, marked as a plain list of polygons or not.
@@ -253,7 +279,10 @@ impl Source {
         match (self.included_at(span.start), &self.content) {
             (Some(own), _) => {
                 let span = span.start - own.base..span.end.saturating_sub(own.base);
-                Some(own.index.place(&own.origin, &own.text, &span))
+                let place = own.index.place(&own.origin, &own.text, &span);
+                // Messages show nothing of what stands outside the folder.
+                let is_outside = self.outside.contains(&*own.origin);
+                Some(if is_outside { Place { text: String::new(), ..place } } else { place })
             }
             (None, Content::Text(text, lines)) => Some(lines.place(&self.origin, text, span)),
             (None, Content::Tree(_)) => None,
@@ -276,7 +305,10 @@ impl Source {
 impl Located {
     /// The error with its place looked up in `source`.
     pub fn in_source(self, source: &Source) -> SceneError {
-        let Located { fault, span, owner } = self;
+        let Located { fault, span, owner } = match &self.span {
+            Some(span) if source.outside.contains(source.origin_at(span.start)) => self.discreet(),
+            _ => self,
+        };
         let (place, owner) = match span {
             Some(span) => (source.place(&span).map(Box::new), source.owner(&span, owner)),
             None => (None, owner),

@@ -359,7 +359,7 @@ mod tests {
         let folder = tempfile::tempdir().expect("a folder");
         let folder = folder.path();
         let open = |fingerprint, begin| Ranks::alone().recording(folder, fingerprint, begin).map(drop);
-        assert!(matches!(open(1, Begin::Resume), Err(JournalError::Empty { .. })));
+        open(1, Begin::Resume).expect("a run that was ended before its first record begins anew");
         open(1, Begin::Anew).expect("nothing is there");
         let recording = Ranks::alone().recording(folder, 1, Begin::Anew).expect("nothing is there");
         recording.map(PartName::Points, &[1.0; 2], |piece| piece);

@@ -36,6 +36,8 @@ pub mod scenes;
 #[cfg(feature = "house")]
 pub mod solved;
 #[cfg(feature = "house")]
+pub mod readers;
+#[cfg(feature = "house")]
 pub mod given;
 #[cfg(feature = "house")]
 pub mod direct;

@@ -1,5 +1,7 @@
 //! Broken copies of files that are right: whatever reads them must read or refuse, never panic.
 
+use std::ops::Range;
+
 use proptest::prelude::*;
 use proptest::test_runner::TestRunner;
 
@@ -11,14 +13,21 @@ enum Mutation {
     Flip(f64, u8),
     Cut(f64, f64),
     Repeat(f64, f64),
+    /// Overwrites a part by a copy of the part at another place.
+    Splice(f64, f64, f64),
     /// Replaces the word at a place.
     Word(f64, &'static str),
+    /// Replaces the first number behind a place by another one.
+    Number(f64, &'static str),
     /// Overwrites four bytes.
     Bytes(f64, [u8; 4]),
 }
 
 /// Texts that are put in place of numbers and names in every format.
 const NUMBERS: [&str; 10] = ["1e999", "-1", "NaN", "0", "99999999999", "1e308", "1e-308", "3.5", "", "é"];
+/// Finite numbers, small and huge, that formats do not rule out by their form.
+const FINITE: [&str; 12] =
+    ["0", "1", "-1", "2", "0.5", "7", "1e-9", "-1e9", "1e15", "1e30", "4294967296", "100000000"];
 /// Ends of words, besides blanks.
 const ENDS: &[u8] = b"\",:[]{}/=";
 /// Most bytes that are cut or repeated at once.
@@ -32,6 +41,8 @@ fn mutation(words: &[&'static str]) -> impl Strategy<Value = Mutation> {
         1 => (place(), any::<u8>()).prop_map(|(at, byte)| Mutation::Flip(at, byte)),
         1 => (place(), place()).prop_map(|(at, length)| Mutation::Cut(at, length)),
         1 => (place(), place()).prop_map(|(at, length)| Mutation::Repeat(at, length)),
+        1 => (place(), place(), place()).prop_map(|(to, from, length)| Mutation::Splice(to, from, length)),
+        4 => (place(), prop::sample::select(&FINITE[..])).prop_map(|(at, own)| Mutation::Number(at, own)),
         3 => (place(), prop::sample::select(words)).prop_map(|(at, word)| Mutation::Word(at, word)),
         1 => (place(), prop::sample::select(four.to_vec())).prop_map(|(at, four)| Mutation::Bytes(at, four)),
     ]
@@ -49,11 +60,25 @@ fn mutate(bytes: &mut Vec<u8>, mutation: &Mutation) {
             let repeated = bytes[part(place, length)].to_vec();
             drop(bytes.splice(at(place)..at(place), repeated));
         }
+        Mutation::Splice(to, from, length) => {
+            let copied = bytes[part(from, length)].to_vec();
+            let end = (at(to) + copied.len()).min(count);
+            drop(bytes.splice(at(to)..end, copied));
+        }
         Mutation::Word(place, word) => {
-            let ends = |byte: &u8| byte.is_ascii_whitespace() || ENDS.contains(byte);
-            let start = bytes[..at(place)].iter().rposition(ends).map_or(0, |start| start + 1);
-            let end = bytes[start..].iter().position(ends).map_or(count, |end| start + end);
-            drop(bytes.splice(start..end, word.bytes()));
+            let word_there = word_at(bytes, at(place));
+            drop(bytes.splice(word_there, word.bytes()));
+        }
+        Mutation::Number(place, number) => {
+            let mut words = std::iter::successors(Some(word_at(bytes, at(place))), |word| {
+                (word.end < count).then(|| word_at(bytes, word.end + 1))
+            });
+            let is_number = |word: &Range<usize>| {
+                std::str::from_utf8(&bytes[word.clone()]).is_ok_and(|word| word.parse::<f64>().is_ok())
+            };
+            if let Some(found) = words.find(is_number) {
+                drop(bytes.splice(found, number.bytes()));
+            }
         }
         Mutation::Bytes(place, four) => {
             let start = at(place);
@@ -61,6 +86,14 @@ fn mutate(bytes: &mut Vec<u8>, mutation: &Mutation) {
             bytes[start..end].copy_from_slice(&four[..end - start]);
         }
     }
+}
+
+/// The word at a place.
+fn word_at(bytes: &[u8], place: usize) -> Range<usize> {
+    let ends = |byte: &u8| byte.is_ascii_whitespace() || ENDS.contains(byte);
+    let start = bytes[..place].iter().rposition(ends).map_or(0, |start| start + 1);
+    let end = bytes[start..].iter().position(ends).map_or(bytes.len(), |end| start + end);
+    start..end
 }
 
 /// Runs `check` on so many broken copies of a file, whose format has these `words`; panics with the smallest

@@ -11,8 +11,8 @@ use radiosity_photometry::text::short;
 
 use super::json::Json;
 use super::scheme::{Buffer, Root};
-use crate::files::Files;
 use crate::tolerances::MOST_BYTES_OF_BUFFERS;
+use radiosity_photometry::files::Files;
 
 /// Base64 with or without padding (RFC 4648, section 4).
 const BASE64: GeneralPurpose = GeneralPurpose::new(
@@ -84,9 +84,7 @@ fn bytes<'a>(
     }
     let name = percent_decode_str(uri).decode_utf8_lossy();
     files.bytes(&name).map(Cow::Owned).map_err(|error| {
-        Refusal::new(
-            format!("the file '{}' cannot be read: {error}", short(&name)),
-            "put it beside the model, or export a GLB, which holds all",
-        )
+        let what = format!("the file '{}'", short(&name));
+        error.refusal(&what, "put it beside the model, or export a GLB, which holds all")
     })
 }

@@ -6,7 +6,6 @@ use radiosity_photometry::text::{number, short};
 
 use crate::budget::Budget;
 use crate::builder::{Coat, ModelBuilder};
-use crate::files::Files;
 use crate::includes::Includes;
 use crate::lines::Lines;
 use crate::mgf::chromaticity::{Chromaticity, MixturePart};
@@ -15,6 +14,7 @@ use crate::mgf::shapes::{self, Vertex};
 use crate::model::{Model, Shape, Sides};
 use crate::tolerances::LONGEST_NAME;
 use crate::xform::{Similarity, Transforms};
+use radiosity_photometry::files::Files;
 
 /// A transform that was begun and not yet ended.
 struct Open<'a> {

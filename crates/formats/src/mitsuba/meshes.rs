@@ -7,9 +7,9 @@ use radiosity_photometry::error::Refusal;
 use radiosity_photometry::text::short;
 
 use super::element::Element;
-use crate::files::Files;
 use crate::model::Shape;
 use crate::{obj, ply};
+use radiosity_photometry::files::Files;
 
 /// A mesh: its faces, coplanar ones merged, and what was said of it.
 #[derive(Debug)]
@@ -47,10 +47,8 @@ impl<'a> Meshes<'a> {
             return Ok(known.clone());
         }
         let bytes = self.files.bytes(path).map_err(|error| {
-            shape.at(Refusal::new(
-                format!("the mesh '{}' cannot be read: {error}", short(path)),
-                "put it beside the scene, or take the shape out",
-            ))
+            let what = format!("the mesh '{}'", short(path));
+            shape.at(error.refusal(&what, "put it beside the scene, or take the shape out"))
         })?;
         let read = match shape.kind() {
             // Mitsuba follows no materials.

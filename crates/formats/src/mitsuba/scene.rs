@@ -10,8 +10,8 @@ use super::ids::Ids;
 use super::leftovers;
 use super::sensor;
 use super::shapes::Shapes;
-use crate::files::Files;
 use crate::model::Model;
+use radiosity_photometry::files::Files;
 
 /// The model of a scene.
 ///

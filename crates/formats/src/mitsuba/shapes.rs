@@ -14,8 +14,8 @@ use super::placed;
 use super::transforms;
 use crate::budget::Budget;
 use crate::builder::{Coat, ModelBuilder};
-use crate::files::Files;
 use crate::model::{Model, Shape, Sides};
+use radiosity_photometry::files::Files;
 
 /// The shapes of a scene as a model.
 pub(super) struct Shapes<'a, 'b> {

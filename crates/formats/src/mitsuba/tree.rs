@@ -10,9 +10,9 @@ use roxmltree::{Document, Error, Node, ParsingOptions};
 use super::element::Element;
 use super::parameters::Parameters;
 use crate::budget::Budget;
-use crate::files::Files;
 use crate::includes::Includes;
 use crate::tolerances::{LONGEST_CAUSE, MOST_BYTES_OF_TEXT};
+use radiosity_photometry::files::Files;
 
 /// Most bytes of a file: a scene names its meshes, it does not hold them.
 const LONGEST: usize = 1 << 26;

@@ -5,13 +5,13 @@ use radiosity_photometry::text::short;
 
 use crate::budget::Budget;
 use crate::builder::ModelBuilder;
-use crate::files::Files;
 use crate::includes::Includes;
 use crate::model::{Model, Shape};
 use crate::rad::commands::{self, Frame, Pass, Source};
 use crate::rad::materials::{Materials, Meaning};
 use crate::rad::scanner::{Item, Primitive, Scanner};
 use crate::rad::shapes;
+use radiosity_photometry::files::Files;
 
 /// Reader of a scene of Radiance: the model and the modifiers up to the item that is read.
 pub(super) struct Reader<'a> {

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 use std::io;
 
-use radiosity_formats::files::Files;
+use radiosity_photometry::files::{Files, Unread};
 
 /// Files by their names.
 #[derive(Default)]
@@ -16,7 +16,8 @@ impl Memory {
 }
 
 impl Files for Memory {
-    fn bytes(&self, name: &str) -> io::Result<Vec<u8>> {
-        self.0.get(name).cloned().ok_or_else(|| io::Error::new(io::ErrorKind::NotFound, "no such file"))
+    fn bytes(&self, name: &str) -> Result<Vec<u8>, Unread> {
+        let missing = || io::Error::new(io::ErrorKind::NotFound, "no such file").into();
+        self.0.get(name).cloned().ok_or_else(missing)
     }
 }

@@ -72,7 +72,7 @@ impl Journal {
     /// once all ranks have called it, whether any of them said yes.
     ///
     /// # Errors
-    /// A folder that cannot be written, or that holds what `begin` does not say.
+    /// A folder that cannot be written; one that holds a journal where a run is to begin anew, or that of another run.
     pub(super) fn open(
         folder: &Path,
         fingerprint: u64,
@@ -80,7 +80,7 @@ impl Journal {
         rank: usize,
         any: &dyn Fn(bool) -> bool,
     ) -> Result<Self, JournalError> {
-        let mut folder = Folder::open(folder, begin)?;
+        let mut folder = Folder::open(folder)?;
         let old = folder.files(begin)?;
         let mut stored_pieces = StoredPieces::default();
         old.iter().try_for_each(|file| stored_pieces.add(file, fingerprint))?;

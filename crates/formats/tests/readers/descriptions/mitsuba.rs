@@ -7,11 +7,11 @@ mod cameras;
 mod texts;
 mod broken;
 
-use radiosity_formats::files::NoFiles;
 use radiosity_formats::mitsuba;
 use radiosity_formats::model::Model;
 use radiosity_photometry::error::Refusal;
 use radiosity_photometry::file_place::FilePlace;
+use radiosity_photometry::files::NoFiles;
 
 use crate::memory::Memory;
 

@@ -1,11 +1,11 @@
 //! View3D inputs read and written.
 
 use glam::DVec3;
-use radiosity_formats::files::NoFiles;
 use radiosity_formats::model::{Material, Model, Shape, Sides, Surface};
 use radiosity_formats::vs3;
 use radiosity_photometry::error::Refusal;
 use radiosity_photometry::file_place::FilePlace;
+use radiosity_photometry::files::NoFiles;
 use radiosity_test_support::mutations::break_often;
 
 use crate::measures::{assert_cube, named, polygon, vector};

@@ -5,11 +5,11 @@ use std::f64::consts::PI;
 use base64::Engine;
 use base64::prelude::BASE64_STANDARD;
 use glam::DVec3;
-use radiosity_formats::files::NoFiles;
 use radiosity_formats::gltf::read;
 use radiosity_formats::model::{Model, Sides};
 use radiosity_photometry::error::Refusal;
 use radiosity_photometry::file_place::FilePlace;
+use radiosity_photometry::files::NoFiles;
 
 use crate::measures::{assert_cube, names, notes};
 use crate::memory::Memory;

@@ -3,11 +3,11 @@
 use std::f64::consts::PI;
 
 use glam::DVec3;
-use radiosity_formats::files::NoFiles;
 use radiosity_formats::model::{Model, Shape, Sides};
 use radiosity_formats::obj::read;
 use radiosity_photometry::error::Refusal;
 use radiosity_photometry::file_place::FilePlace;
+use radiosity_photometry::files::NoFiles;
 
 use crate::measures::{assert_cube, names, notes};
 use crate::memory::Memory;

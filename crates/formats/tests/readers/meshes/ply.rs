@@ -1,11 +1,11 @@
 //! PLY.
 
 use glam::DVec3;
-use radiosity_formats::files::NoFiles;
 use radiosity_formats::model::{Model, Shape};
 use radiosity_formats::ply::read;
 use radiosity_photometry::error::Refusal;
 use radiosity_photometry::file_place::FilePlace;
+use radiosity_photometry::files::NoFiles;
 
 use crate::measures::{assert_cube, names, notes};
 use crate::meshes::shapes::{SIDES, assert_refusal, corner};

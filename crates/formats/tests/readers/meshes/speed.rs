@@ -2,8 +2,8 @@
 
 use std::time::{Duration, Instant};
 
-use radiosity_formats::files::NoFiles;
 use radiosity_formats::ply;
+use radiosity_photometry::files::NoFiles;
 
 #[test]
 fn a_hundred_thousand_triangles_are_read_and_merged_in_seconds_without_optimisation() {

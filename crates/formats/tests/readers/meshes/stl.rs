@@ -1,10 +1,10 @@
 //! STL.
 
 use glam::DVec3;
-use radiosity_formats::files::NoFiles;
 use radiosity_formats::model::{Model, Shape, Sides};
 use radiosity_formats::stl::read;
 use radiosity_photometry::file_place::FilePlace;
+use radiosity_photometry::files::NoFiles;
 
 use crate::measures::{assert_cube, names, notes};
 use crate::meshes::shapes::{assert_refusal, corner, triangles};

@@ -7,9 +7,9 @@ use std::path::{Path, PathBuf};
 
 use glam::DVec3;
 use radiosity_formats::colour::to_grey;
-use radiosity_formats::files::Beside;
 use radiosity_formats::mgf;
 use radiosity_formats::model::{Model, Shape};
+use radiosity_photometry::files::{Folder, Reach};
 use serde_json::Value;
 
 use crate::measures::{area, vector};
@@ -27,7 +27,7 @@ fn folder() -> Option<PathBuf> {
 fn room(folder: &Path, name: &str) -> Model {
     let path = folder.join(format!("{name}.mgf"));
     let bytes = fs::read(&path).expect("the room can be read");
-    let model = mgf::read(name, &bytes, &Beside::scene(&path));
+    let model = mgf::read(name, &bytes, &Folder::of_scene(&path, Reach::Inside));
     let mut model = model.unwrap_or_else(|refusal| panic!("{refusal}"));
     to_grey(&mut model);
     model

@@ -145,6 +145,19 @@ impl SavedElement {
         fits(forms.all(|(products, own)| same(products, &element.basis.to_products(own))), "the irradiance")
     }
 
+    /// Its area.
+    pub(super) fn area(&self) -> f64 {
+        self.area
+    }
+
+    /// Its largest coefficient, by its absolute value.
+    pub(super) fn largest(&self) -> f64 {
+        let Orthonormal { irradiance, direct, groups } = &self.orthonormal;
+        let groups = groups.iter().flat_map(|own| own.irradiance.iter().chain(&own.direct));
+        let all = irradiance.iter().chain(direct).chain(groups).flatten();
+        all.map(|own| own.abs()).fold(0.0, f64::max)
+    }
+
     /// Compares its reflectance and its exitance with those of element `index` of the scene's solution.
     pub(super) fn check_coating(&self, solution: &Solution, index: usize) -> Result<(), Mismatch> {
         // To rounding: means of patterns are sums, whose last bits differ from one machine to another.

@@ -5,7 +5,7 @@ use radiosity_scene::SceneError;
 use thiserror::Error;
 
 /// Value of the key `format_version`: the only version that is written and read.
-pub(super) const VERSION: u32 = 6;
+pub(super) const VERSION: u32 = 7;
 
 /// A solution file that cannot be used. Displays as `file: message`; the cure is separate, see
 /// [`SolutionError::cure`].
@@ -32,6 +32,9 @@ pub enum SolutionFault {
         /// The parser's message.
         message: String,
     },
+    /// Content that its checksum was not made of.
+    #[error("damaged: its checksum is not that of its content")]
+    Damaged,
     /// A version that this program does not read.
     #[error("the format's version is {found}, this program reads version {VERSION}")]
     Version {

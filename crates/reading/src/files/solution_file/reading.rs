@@ -18,6 +18,10 @@ use super::element::{SavedElement, same};
 use super::error::{Mismatch, SolutionError, SolutionFault, VERSION};
 use super::tree::{FORMAT, SavedGroup, SavedScene, SolutionFile};
 
+/// Largest coefficient of an element of area A, over Φ/√A, where Φ is the power that the scene emits: all of it
+/// on this element alone makes 1, times the bounces between mirrors that lose nothing. Chosen.
+const MOST_LIGHT: f64 = 1e12;
+
 /// The keys that identify a solution file of any version.
 #[derive(Deserialize)]
 struct Header {
@@ -50,7 +54,7 @@ fn parse(text: &str) -> Result<SolutionFile, SolutionFault> {
     if header.format_version != VERSION {
         return Err(SolutionFault::Version { found: header.format_version });
     }
-    serde_json::from_str(text).map_err(|error| syntax(&error))
+    serde_json::from_str(text).map_err(|error| syntax(&error)).and_then(SolutionFile::whole)
 }
 
 /// The parser's message without the place at its end.
@@ -76,6 +80,7 @@ impl SolutionFile {
             None => Elements::new(&scene, how),
         }?;
         check_elements(&self.elements, &scene, &elements)?;
+        check_sizes(&self.elements, self.emitted())?;
         let groups = self.group_lights(&scene, &elements)?;
         let solution = Solution::of_groups(elements, &scene, groups);
         for (index, own) in self.elements.iter().enumerate() {
@@ -196,6 +201,15 @@ fn checked(how: &Discretization) -> Result<&Discretization, SolutionFault> {
             Err(SolutionFault::Whole(Mismatch("the subdivision")))
         }
         _ => Ok(how),
+    }
+}
+
+/// Refuses coefficients that no light of the scene makes: reading off them would not end.
+fn check_sizes(saved: &[SavedElement], emitted: f64) -> Result<(), SolutionFault> {
+    let is_huge = |own: &SavedElement| !(own.largest() <= MOST_LIGHT * emitted / own.area().sqrt());
+    match saved.iter().position(is_huge) {
+        None => Ok(()),
+        Some(index) => Err(SolutionFault::Element { index, what: Mismatch("the size of the coefficients") }),
     }
 }
 

@@ -12,10 +12,11 @@ use radiosity_solve::solution::Solution;
 use radiosity_solve::solution::group_light::GroupLight;
 use radiosity_solve::solution::powers::Powers;
 use radiosity_solve::solved::Solved;
+use radiosity_work::checksum::Checksum;
 use serde::{Deserialize, Serialize};
 
 use super::element::{self, SavedElement};
-use super::error::VERSION;
+use super::error::{SolutionFault, VERSION};
 use super::figures::Figures;
 
 /// Value of the key `format`, by which a solution file is recognised.
@@ -41,6 +42,8 @@ const EVALUATION: &str = "On an element of order N, at coordinates (a, b) in [-1
 pub struct SolutionFile {
     format: String,
     format_version: u32,
+    /// CRC-32 of the file with 0 in this place, as JSON without blanks.
+    checksum: u32,
     /// Version of the program that wrote it.
     program: String,
     pub(super) scene: SavedScene,
@@ -167,6 +170,7 @@ impl SolutionFile {
         Self {
             format: FORMAT.to_owned(),
             format_version: VERSION,
+            checksum: 0,
             program: env!("CARGO_PKG_VERSION").to_owned(),
             scene: SavedScene {
                 name: scene.name.clone(),
@@ -190,5 +194,33 @@ impl SolutionFile {
             masked: masked(&outcome.solution),
             elements: element::all(scene, &outcome.solution),
         }
+        .sealed()
+    }
+
+    /// The file with the checksum of its content.
+    #[must_use]
+    pub fn sealed(mut self) -> Self {
+        self.checksum = self.sum();
+        self
+    }
+
+    /// The file, if its checksum is that of its content.
+    pub(super) fn whole(mut self) -> Result<Self, SolutionFault> {
+        let stated = self.checksum;
+        if self.sum() == stated { Ok(self) } else { Err(SolutionFault::Damaged) }
+    }
+
+    /// The sum of the file with 0 in the place of its checksum, where it then is.
+    fn sum(&mut self) -> u32 {
+        self.checksum = 0;
+        let mut sum = Checksum::default();
+        serde_json::to_writer(&mut sum, self).expect("a sum takes all bytes");
+        sum.sum()
+    }
+
+    /// Power that the scene emits, its light groups not dimmed.
+    pub(super) fn emitted(&self) -> f64 {
+        let groups: f64 = self.groups.iter().map(|group| group.powers.emitted).sum();
+        groups.max(self.figures.powers().emitted)
     }
 }

@@ -20,12 +20,6 @@ pub enum JournalError {
         /// The folder.
         path: PathBuf,
     },
-    /// The folder holds no journal to go on from.
-    #[error("{}: no run was recorded here", path.display())]
-    Empty {
-        /// The folder.
-        path: PathBuf,
-    },
     /// The folder holds the journal of an earlier version of the program, whose pieces are of no use.
     #[error("{}: this was recorded by an earlier version of this program", path.display())]
     Earlier {
@@ -48,7 +42,6 @@ impl JournalError {
                 "choose a folder that exists or can be made, that can be written to and has room"
             }
             Self::Used { .. } => "add --resume to go on from there, or choose another folder",
-            Self::Empty { .. } => "leave --resume out to begin, or give the folder of the run that was ended",
             Self::Earlier { .. } => "start anew in another folder, or go on with the program that began it",
             Self::Other { .. } => "give the scene and the options of that run, or choose another folder",
         }

@@ -20,15 +20,12 @@ pub(super) struct Folder {
 }
 
 impl Folder {
-    /// The folder at `path`, which is made if need be, unless a run is to go on from it.
+    /// The folder at `path`, which is made if need be.
     ///
     /// # Errors
-    /// One that cannot be made, something else in its place, or none to go on from.
-    pub(super) fn open(path: &Path, begin: Begin) -> Result<Self, JournalError> {
+    /// One that cannot be made, or something else in its place.
+    pub(super) fn open(path: &Path) -> Result<Self, JournalError> {
         let is_made = !path.exists();
-        if is_made && begin == Begin::Resume {
-            return Err(JournalError::Empty { path: path.to_owned() });
-        }
         if !is_made && !path.is_dir() {
             let source = io::Error::new(io::ErrorKind::NotADirectory, "this is no folder");
             return Err(JournalError::of(path)(source));
@@ -40,7 +37,7 @@ impl Folder {
     /// The files of the journal, in the order in which they were begun.
     ///
     /// # Errors
-    /// A folder that cannot be read, or that holds what `begin` does not say.
+    /// A folder that cannot be read; one with files, where a run is to begin anew.
     pub(super) fn files(&self, begin: Begin) -> Result<Vec<PathBuf>, JournalError> {
         let entries = fs::read_dir(&self.path).map_err(JournalError::of(&self.path))?;
         let paths = entries.map(|entry| entry.map(|entry| entry.path())).collect::<io::Result<Vec<_>>>();
@@ -49,7 +46,6 @@ impl Folder {
         paths.sort();
         match begin {
             Begin::Anew if !paths.is_empty() => Err(JournalError::Used { path: self.path.clone() }),
-            Begin::Resume if paths.is_empty() => Err(JournalError::Empty { path: self.path.clone() }),
             Begin::Anew | Begin::Resume => Ok(paths),
         }
     }

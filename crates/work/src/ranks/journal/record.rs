@@ -7,7 +7,7 @@
 use std::io;
 use std::io::Read;
 
-use flate2::Crc;
+use crate::checksum::Checksum;
 
 /// The key of a piece: its part of the run, and its number in it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -33,7 +33,7 @@ pub(super) fn record(key: &Key, piece: &[u8]) -> io::Result<Vec<u8>> {
     record.extend(key.part.to_le_bytes());
     record.extend(key.piece.to_le_bytes());
     record.extend(piece);
-    record.extend(sum(&record).to_le_bytes());
+    record.extend(Checksum::of(&record).to_le_bytes());
     Ok(record)
 }
 
@@ -42,7 +42,7 @@ pub(super) fn piece<'a>(key: &Key, record: &'a [u8]) -> Option<&'a [u8]> {
     let (checked, check) = record.split_last_chunk::<CHECK>()?;
     let (head, piece) = checked.split_first_chunk::<HEAD>()?;
     let is_own = parsed(head) == (*key, piece.len() as u32);
-    (is_own && sum(checked).to_le_bytes() == *check).then_some(piece)
+    (is_own && Checksum::of(checked).to_le_bytes() == *check).then_some(piece)
 }
 
 /// The key of the next record, and the length of its piece; None at the end.
@@ -56,12 +56,6 @@ fn parsed(head: &[u8; HEAD]) -> (Key, u32) {
     let number = |start: usize| u32::from_le_bytes(head[start..start + 4].try_into().expect("four bytes"));
     let part = u64::from_le_bytes(head[4..12].try_into().expect("eight bytes"));
     (Key { part, piece: number(12) }, number(0))
-}
-
-fn sum(bytes: &[u8]) -> u32 {
-    let mut crc = Crc::new();
-    crc.update(bytes);
-    crc.sum()
 }
 
 #[cfg(test)]

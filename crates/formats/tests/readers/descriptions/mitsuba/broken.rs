@@ -1,7 +1,7 @@
 //! Texts that are no scenes, attacks, and broken copies of right scenes.
 
-use radiosity_formats::files::NoFiles;
 use radiosity_formats::mitsuba;
+use radiosity_photometry::files::NoFiles;
 use radiosity_test_support::mutations::break_often;
 
 use super::{is_refused, read};

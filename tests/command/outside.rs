@@ -1,0 +1,131 @@
+//! Files outside the folder of a scene: the command reads them and says so; `--inside` and the library refuse
+//! them; and no message shows what stands in them.
+
+use std::path::Path;
+
+use radiosity_test_support::folders::folder;
+
+use crate::program::{done, radiosity, refused};
+
+/// A word that stands in broken files outside, and that no message may show.
+const SECRET: &str = "hidden-from-scenes";
+
+const FLOOR: &str = "[[surfaces]]
+material = \"white\"
+parallelogram = { origin = [0, 0, 0], edge1 = [1, 0, 0], edge2 = [0, 1, 0] }
+";
+
+const TABLE: &str =
+    "IESNA:LM-63-2002\nTILT=NONE\n1 1000 1 3 1 1 2 0.1 0.1 0\n1 1 50\n0 45 90\n0\n300 200 0\n";
+
+/// A scene, its text, the word before the path and the path of the file outside that it names, and what that
+/// says.
+fn scenes() -> Vec<(&'static str, String, &'static str, &'static str, Vec<u8>)> {
+    let white = "[materials.white]\nreflectance = 0.5\nemission = 1\n";
+    let lamp = "[[luminaires]]\nposition = [0, 0, 1]\nphotometry = \"../lib/lamp.ies\"\n";
+    let grain = "[materials.white]\nreflectance = { image = \"../lib/a.png\" }\n";
+    let texels = radiosity_test_support::folders::png([2, 1], png::ColorType::Grayscale, &[200, 20]);
+    let ply = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n\
+               element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+    let mesh = "<shape type=\"ply\"><string name=\"filename\" value=\"../lib/a.ply\"/></shape>";
+    let buffer: Vec<u8> = [0.0f32, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0].map(f32::to_le_bytes).concat();
+    let gltf = r#"{"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],
+        "meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],"buffers":[{"uri":"../lib/a.bin","byteLength":36}],
+        "bufferViews":[{"buffer":0,"byteLength":36}],
+        "accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[1,1,0]}]}"#;
+    let obj = "mtllib ../lib/a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl white\nf 1 2 3\n";
+    let text = |text: &str| text.as_bytes().to_vec();
+    vec![
+        (
+            "a.toml",
+            format!("include = \"../lib/a.toml\"\n{FLOOR}"),
+            "include: ",
+            "../lib/a.toml",
+            text(white),
+        ),
+        ("b.toml", format!("{lamp}{white}{FLOOR}"), "photometry: ", "../lib/lamp.ies", text(TABLE)),
+        ("c.toml", format!("{grain}{FLOOR}"), "image: ", "../lib/a.png", texels),
+        ("a.obj", obj.to_owned(), "mtllib '", "../lib/a.mtl", text("newmtl white\nKd 0.5 0.5 0.5\n")),
+        (
+            "a.mgf",
+            "i ../lib/b.mgf\n".to_owned(),
+            "included file '",
+            "../lib/b.mgf",
+            text("v a =\n\tp 0 0 1\nsph a 1\n"),
+        ),
+        ("a.gltf", gltf.to_owned(), "the buffer 0: the file '", "../lib/a.bin", buffer),
+        (
+            "a.xml",
+            format!("<scene version=\"3.0.0\">{mesh}</scene>"),
+            "the mesh '",
+            "../lib/a.ply",
+            text(ply),
+        ),
+        (
+            "a.rad",
+            "!xform ../lib/a.rad\n".to_owned(),
+            "included file '",
+            "../lib/a.rad",
+            text("void plastic white 0 0 5 0.7 0.7 0.7 0 0\nwhite sphere ball 0 0 4 0 0 0 1\n"),
+        ),
+    ]
+}
+
+/// The folder `room` with a scene in a new folder, and a file beside it.
+fn house(scene: &str, text: &str, outside: &str, content: &[u8]) -> tempfile::TempDir {
+    let (scene, outside) = (format!("room/{scene}"), outside.replace("../", ""));
+    folder(&[(&scene, text.as_bytes()), (&outside, content)])
+}
+
+fn told(folder: &Path, args: &[&str]) -> String {
+    let output = radiosity(folder, args);
+    String::from_utf8_lossy(&[output.stdout, output.stderr].concat()).into_owned()
+}
+
+#[test]
+fn the_command_reads_files_outside_and_says_so() {
+    for (scene, text, _, outside, content) in scenes() {
+        let house = house(scene, &text, outside, &content);
+        let [found, _] = done(&house.path().join("room"), &["check", scene]);
+        let told = format!("read outside the folder of the scene (--inside refuses it): {outside}");
+        assert!(found.contains(&told), "{scene}: {found}");
+    }
+}
+
+#[test]
+fn inside_and_the_library_refuse_by_key_and_path() {
+    for (scene, text, key, outside, content) in scenes() {
+        let house = house(scene, &text, outside, &content);
+        let room = house.path().join("room");
+        let cure =
+            "help: put a copy of it into the folder of the scene or below, and give its path from there";
+        refused(
+            &room,
+            &["check", scene, "--inside"],
+            &[key, outside, "outside the folder of the scene", cure],
+        );
+        let error = radiosity::load(&room.join(scene).to_string_lossy()).expect_err("it is outside");
+        assert!(error.to_string().contains(outside), "{scene}: {error}");
+        // The cure works.
+        let near = outside.replace("../lib/", "near-");
+        std::fs::write(room.join(&near), content).expect("it can be written");
+        std::fs::write(room.join(scene), text.replace(outside, &near)).expect("it can be written");
+        done(&room, &["check", scene, "--inside"]);
+    }
+}
+
+#[test]
+fn what_stands_outside_is_not_shown() {
+    for (scene, text, _, outside, _) in scenes() {
+        for content in
+            [format!("{SECRET}\n"), format!("{SECRET} = [\n"), format!("[{SECRET}]\n{SECRET} = 1\n")]
+        {
+            let house = house(scene, &text, outside, content.as_bytes());
+            let room = house.path().join("room");
+            for args in [&["check", scene][..], &["check", scene, "--inside"]] {
+                let told = told(&room, args);
+                assert!(!told.contains(SECRET), "{args:?}: {told}");
+            }
+        }
+    }
+}
