@@ -10,6 +10,7 @@
 use crate::slabs::Slabs;
 use crate::tolerances::OVERHANG;
 use crate::{Aabb, Ray};
+use smallvec::SmallVec;
 
 /// Bins of box centres between which a node may be split. An arbitrary choice: more find better splits of
 /// unevenly spread boxes, and take longer to fill.
@@ -68,7 +69,8 @@ impl Bvh {
     /// The indices of all boxes that pass `may_hold`, and of some others, in no particular order. What a box
     /// fails has to be failed by every box inside it.
     pub fn search(&self, may_hold: impl Fn(&Aabb) -> bool) -> impl Iterator<Item = usize> {
-        let mut stack: Vec<usize> = if self.nodes.is_empty() { vec![] } else { vec![0] };
+        let mut stack: SmallVec<[usize; 32]> = SmallVec::new();
+        stack.extend((!self.nodes.is_empty()).then_some(0));
         let leaves = std::iter::from_fn(move || {
             while let Some(index) = stack.pop() {
                 let node = &self.nodes[index];

@@ -75,6 +75,8 @@ pub struct Encounter {
     pub hit: Hit,
     /// Whether the ray comes from before the surface.
     pub front: bool,
+    /// Unit normal of the surface there, where its side was told by it.
+    pub normal: Option<DVec3>,
 }
 
 /// Surfaces, found by rays.
@@ -218,13 +220,15 @@ impl<'a> Search<'a> {
         Self { tree, ray, best: None, start, goal: Goal::Nearest, is_blocked: false }
     }
 
-    fn nearest(mut self) -> Option<Encounter> {
+    fn nearest(&mut self) -> Option<Encounter> {
         self.walk();
         let best = self.best?;
-        Some(Encounter { surface: best.surface, hit: best.hit, front: self.is_front(&best) })
+        let normal = best.front.is_none().then(|| self.normal(&best));
+        let front = best.front.unwrap_or_else(|| normal.is_some_and(|normal| self.comes_from_before(normal)));
+        Some(Encounter { surface: best.surface, hit: best.hit, front, normal })
     }
 
-    fn meets_nothing(mut self) -> bool {
+    fn meets_nothing(&mut self) -> bool {
         self.walk();
         !self.is_blocked && self.best.is_none()
     }
@@ -336,7 +340,11 @@ impl<'a> Search<'a> {
     }
 
     fn is_front(&self, best: &Best) -> bool {
-        best.front.unwrap_or_else(|| self.normal(best).dot(self.ray.direction) < 0.0)
+        best.front.unwrap_or_else(|| self.comes_from_before(self.normal(best)))
+    }
+
+    fn comes_from_before(&self, normal: DVec3) -> bool {
+        normal.dot(self.ray.direction) < 0.0
     }
 
     fn is_own(&self, surface: usize) -> bool {

@@ -17,6 +17,7 @@ use radiosity_elements::measure::WeightedNode;
 use radiosity_elements::patch::Patch;
 use radiosity_elements::sampling::area_preserving_map::AreaPreservingMap;
 use radiosity_geom::{Aabb, DVec3, Plane};
+use smallvec::SmallVec;
 
 use crate::receiver_point::ReceiverPoint;
 
@@ -49,10 +50,13 @@ pub(crate) struct Lamp {
 pub struct Shares<'a> {
     lamps: &'a Lamps,
     /// p_l of each emitter.
-    shares: Vec<f64>,
+    shares: EachLamp,
     /// Sums of the shares up to and with each emitter.
-    ends: Vec<f64>,
+    ends: EachLamp,
 }
+
+/// Numbers of the emitters: of few they take no memory of their own, which each end of a ray would ask for.
+type EachLamp = SmallVec<[f64; 16]>;
 
 /// A point of an emitter that a ray is sent to.
 #[derive(Clone, Copy, Debug)]
@@ -110,7 +114,7 @@ impl Lamps {
 
     /// The emitters with what each has a share in proportion to.
     fn shares(&self, of: impl Fn(&Lamp) -> f64) -> Shares<'_> {
-        let mut shares: Vec<f64> = self.list.iter().map(of).collect();
+        let mut shares: EachLamp = self.list.iter().map(of).collect();
         let all: f64 = shares.iter().sum();
         if all > 0.0 {
             shares.iter_mut().for_each(|share| *share /= all);

@@ -5,6 +5,8 @@
 //! the site's horizon, or wholly behind the element's plane; or if it lies within a whole ball, and the site and the
 //! element without. A whole ball between site and element hides all. What remains is tested cell by cell.
 
+use std::iter;
+
 use radiosity_elements::Element;
 use radiosity_geom::{Aabb, COINCIDENT, DVec3, Plane};
 use radiosity_visibility::{Place, Visibility};
@@ -57,16 +59,35 @@ impl Occluders {
         senders: impl Iterator<Item = Sender> + Clone,
         site: &Site,
     ) -> Self {
+        let around = Aabb::around(site.points.iter().copied());
+        let everywhere = senders.clone().fold(around, |bounds, sender| bounds.union(sender.bounds));
+        let obstacles = visibility.reaching_into(&everywhere, site.surface.is_none());
+        Self::among(obstacles, visibility, senders, site)
+    }
+
+    /// The occluders between a site and one sender; before a point without most of those beside the cone around the
+    /// sender.
+    pub(crate) fn before_one(visibility: &Visibility, sender: Sender, site: &Site) -> Self {
+        let [x] = site.points else { return Self::new(visibility, iter::once(sender), site) };
+        let obstacles = visibility.reaching_before(*x, &sender.bounds, site.surface.is_none());
+        Self::among(obstacles, visibility, iter::once(sender), site)
+    }
+
+    /// The occluders among `obstacles`, which are all that may stand there.
+    fn among(
+        mut obstacles: Vec<usize>,
+        visibility: &Visibility,
+        senders: impl Iterator<Item = Sender>,
+        site: &Site,
+    ) -> Self {
         let Site { points: site, horizon, surface } = *site;
         let around = Aabb::around(site.iter().copied());
-        let everywhere = senders.clone().fold(around, |bounds, sender| bounds.union(sender.bounds));
         let ground = horizon.map(|normal| Plane { point: lowest(site, normal), normal });
         let reaches_over = |points: &[DVec3], plane: Option<Plane>| {
             plane.is_none_or(|plane| points.iter().any(|x| is_over(*x, &plane)))
         };
         let rises = |hull: &[DVec3]| reaches_over(hull, ground);
         let is_before = |points: &[DVec3], sender: &Sender| reaches_over(points, sender.plane);
-        let mut obstacles = visibility.reaching_into(&everywhere, surface.is_none());
         let own = |other: usize, surface: usize| {
             other == visibility.sheet(surface) && !visibility.hides_itself(surface)
         };

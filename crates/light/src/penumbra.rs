@@ -294,7 +294,7 @@ impl<'a> Penumbra<'a> {
         match around {
             Some(around) => is_worth(around).then(|| around.alone(index)),
             None => (share >= LISTED).then(|| {
-                Occluders::new(self.visibility, iter::once(self.sources[index].sender()), &receiver.site())
+                Occluders::before_one(self.visibility, self.sources[index].sender(), &receiver.site())
             }),
         }
     }

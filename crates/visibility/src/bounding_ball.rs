@@ -18,6 +18,11 @@ impl Ball {
         Self { center, radius: farthest.sqrt() }
     }
 
+    /// The ball around a box.
+    pub(super) fn over(bounds: &Aabb) -> Self {
+        Self { center: bounds.center(), radius: 0.5 * bounds.diagonal() }
+    }
+
     /// Its centre.
     pub(super) fn center(&self) -> DVec3 {
         self.center

@@ -314,11 +314,27 @@ impl Visibility {
     /// with `open` also those that may stand before a point anywhere. A convex body's first face represents
     /// it, and of the two sides of a curved sheet the first. Empty without shadows.
     pub fn reaching_into(&self, bounds: &Aabb, open: bool) -> Vec<usize> {
+        self.reaching(open, |other| other.overlaps(bounds))
+    }
+
+    /// As [`Visibility::reaching_into`], but those that may stand between a point `x` and what lies in the box
+    /// `bounds`, and some others.
+    pub fn reaching_before(&self, x: DVec3, bounds: &Aabb, open: bool) -> Vec<usize> {
+        let around = bounds.grow(x);
+        let (center, radius) = (bounds.center(), 0.5 * bounds.diagonal());
+        self.reaching(open, |other| {
+            other.overlaps(&around) && !Ball::over(other).misses_cone(x, center, radius)
+        })
+    }
+
+    /// The surfaces whose boxes `may_hold` something, and some others, as of [`Visibility::reaching_into`]. What a box
+    /// fails has to be failed by every box inside it.
+    fn reaching(&self, open: bool, may_hold: impl Fn(&Aabb) -> bool) -> Vec<usize> {
         let mut found = Vec::new();
         match (self.shadows, open) {
             (Shadows::Off, _) => {}
-            (_, true) => self.tree.overlapping(bounds, |index| found.push(index)),
-            (_, false) => self.standing_tree.overlapping(bounds, |place| found.push(self.standing[place])),
+            (_, true) => found.extend(self.tree.search(may_hold)),
+            (_, false) => found.extend(self.standing_tree.search(may_hold).map(|place| self.standing[place])),
         }
         found.iter_mut().for_each(|surface| *surface = self.sheet(self.faces(surface)[0]));
         found.sort_unstable();

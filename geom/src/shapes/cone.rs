@@ -100,7 +100,7 @@ impl Surface for Cone {
         let size = self.radius1.max(self.radius2) + self.height;
         let hits = self.meet(o, w).into_iter().filter(|t| ray.reaches(*t)).filter_map(|t| {
             let local = o + t * w;
-            Hit::accept(ray, t, self.turn.parameter(local, size), self.along(local))
+            self.turn.accept(ray, t, local, size, self.along(local))
         });
         hits.min_by(|a, b| a.t.total_cmp(&b.t))
     }

@@ -54,13 +54,16 @@ impl Surface for Cylinder {
         let speed = flat_w.length_squared();
         let nearest = -flat_o.dot(flat_w) / speed;
         let inside = self.radius * self.radius - (flat_o + nearest * flat_w).length_squared();
+        if inside < 0.0 {
+            return None;
+        }
         // A ray along the axis has speed 0 and meets the wall nowhere or everywhere; NaN fails every
         // comparison.
         let reach = (inside / speed).sqrt();
         let size = self.radius + self.height;
         [nearest - reach, nearest + reach].into_iter().filter(|t| ray.reaches(*t)).find_map(|t| {
             let local = o + t * w;
-            Hit::accept(ray, t, self.turn.parameter(local, size), 2.0 * local.z / self.height - 1.0)
+            self.turn.accept(ray, t, local, size, 2.0 * local.z / self.height - 1.0)
         })
     }
 

@@ -66,7 +66,7 @@ impl Surface for Disk {
         }
         let local = self.turn.local_point(ray.at(t));
         let v = 2.0 * (self.radius - local.truncate().length()) / (self.radius - self.inner) - 1.0;
-        Hit::accept(ray, t, self.turn.parameter(local, self.radius), v)
+        self.turn.accept(ray, t, local, self.radius, v)
     }
 
     fn area(&self) -> f64 {

@@ -144,11 +144,9 @@ impl Surface for Revolution {
                 }
                 let length = leave - enter;
                 zeros(&piece.net(o + enter * w, length * w), Hit::SEAM * PIECES as f64, |x, s| {
-                    let hit = self.refine(o, w, enter + x * length, (k as f64 + s) / PIECES as f64).and_then(
-                        |(t, s)| {
-                            Hit::accept(ray, t, self.turn.parameter(o + t * w, self.extent), 2.0 * s - 1.0)
-                        },
-                    );
+                    let hit = self
+                        .refine(o, w, enter + x * length, (k as f64 + s) / PIECES as f64)
+                        .and_then(|(t, s)| self.turn.accept(ray, t, o + t * w, self.extent, 2.0 * s - 1.0));
                     best = hit.map_or(best, |hit| Hit::nearer(best, hit));
                     false
                 });

@@ -93,7 +93,7 @@ impl Surface for Sphere {
             let local = self.turn.local_point(ray.at(t));
             let latitude = local.z.atan2(local.truncate().length());
             let v = (latitude - self.latitude[0]) / self.latitude[1];
-            Hit::accept(ray, t, self.turn.parameter(local, self.radius), v)
+            self.turn.accept(ray, t, local, self.radius, v)
         })
     }
 

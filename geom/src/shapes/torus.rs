@@ -99,7 +99,7 @@ impl Torus {
         let p = o + t * w;
         let angle = p.z.atan2(p.truncate().length() - self.major) - self.tube[0];
         let v = (angle - TAU * (angle / TAU).round()) / self.tube[1];
-        Hit::accept(ray, t, self.turn.parameter(p, self.major), v)
+        self.turn.accept(ray, t, p, self.major, v)
     }
 }
 

@@ -7,7 +7,7 @@
 
 use super::{check_edge, check_finite};
 use crate::arc::arc_range;
-use crate::{Aabb, Hit, Jet, ShapeError};
+use crate::{Aabb, Hit, Jet, Ray, ShapeError};
 use glam::DVec3;
 use std::f64::consts::TAU;
 
@@ -72,9 +72,16 @@ impl Turn {
         }
     }
 
+    /// The hit at a local point with the parameter v, of a shape of the given size, if the point belongs to
+    /// it.
+    pub(super) fn accept(&self, ray: &Ray, t: f64, local: DVec3, size: f64, v: f64) -> Option<Hit> {
+        // Most lines meet a shape beyond its ends, and an angle takes longer than all the rest.
+        if v.abs() <= 1.0 + Hit::SEAM { Hit::accept(ray, t, self.parameter(local, size), v) } else { None }
+    }
+
     /// The parameter u of a local point, of a shape of the given size. Near the axis the angle of a point is
     /// uncertain, so the seam tolerance there is that of a length.
-    pub(super) fn parameter(&self, local: DVec3, size: f64) -> f64 {
+    fn parameter(&self, local: DVec3, size: f64) -> f64 {
         let angle = local.y.atan2(local.x) - self.middle;
         let u = (angle - TAU * (angle / TAU).round()) / self.half;
         let beyond = (u.abs() - 1.0) * self.half * local.truncate().length();

@@ -213,7 +213,7 @@ fn cells_have_the_mean_of_probes_and_of_pixels() {
     let mut pixels = vec![(0.0, 0.0); CELLS * CELLS];
     for (index, values) in raster.pixels().enumerate() {
         let ray = view.ray((index % 128) as f64 + 0.5, (index / 128) as f64 + 0.5);
-        let Some(Encounter { surface, hit, front: true }) = visibility.nearest(&ray) else { continue };
+        let Some(Encounter { surface, hit, front: true, .. }) = visibility.nearest(&ray) else { continue };
         let jet = solution.elements().shape(surface).jet(hit.u, hit.v);
         if is_floor(jet.position, jet.normal) {
             let [i, j] = cell_of(jet.position);

@@ -31,7 +31,7 @@ struct ReadPlace {
 
 /// Irradiance at the front that a ray meets first.
 fn read_along(ray: &Ray, visibility: &Visibility, solution: &Solution, reader: &Reader) -> Option<ReadPlace> {
-    let Encounter { surface, hit, front: true } = visibility.nearest(ray)? else { return None };
+    let Encounter { surface, hit, front: true, .. } = visibility.nearest(ray)? else { return None };
     let elements = solution.elements();
     let element = elements.at(surface, [hit.u, hit.v]).expect("no holes");
     let jet = elements.shape(surface).jet(hit.u, hit.v);

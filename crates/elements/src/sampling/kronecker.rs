@@ -21,11 +21,22 @@ const ROOTS: [f64; 8] = [
 
 /// Point number `index` of the sequence in D = 1 to 8 dimensions.
 pub fn point<const D: usize>(index: u64) -> [f64; D] {
-    let mut step = 1.0;
-    std::array::from_fn(|_| {
-        step /= const { ROOTS[D - 1] };
-        (0.5 + index as f64 * step).fract()
+    let at = index as f64;
+    const { steps::<D>() }.map(|step| {
+        let place = 0.5 + at * step;
+        // Its part after the point, without a call.
+        place - (place as i64) as f64
     })
+}
+
+/// a_d.
+const fn steps<const D: usize>() -> [f64; D] {
+    let (mut steps, mut d) = ([1.0 / ROOTS[D - 1]; D], 1);
+    while d < D {
+        steps[d] = steps[d - 1] / ROOTS[D - 1];
+        d += 1;
+    }
+    steps
 }
 
 #[cfg(test)]

@@ -10,9 +10,12 @@ pub fn shift<const D: usize>(number: u64) -> [f64; D] {
     })
 }
 
-/// z + shift modulo 1.
+/// z + shift modulo 1, of numbers in [0, 1).
 pub fn shifted<const D: usize>(mut z: [f64; D], shift: &[f64; D]) -> [f64; D] {
-    z.iter_mut().zip(shift).for_each(|(z, shift)| *z = (*z + shift).fract());
+    for (z, shift) in z.iter_mut().zip(shift) {
+        *z += shift;
+        *z -= if *z >= 1.0 { 1.0 } else { 0.0 };
+    }
     z
 }
 

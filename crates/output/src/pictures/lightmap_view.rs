@@ -90,7 +90,7 @@ struct MeanPixel {
 impl LightmapView<'_> {
     /// The surface, and the parameters on it, whose front is met through a point of the picture.
     fn meet(&self, [x, y]: [f64; 2]) -> Option<(usize, [f64; 2])> {
-        let Encounter { surface, hit, front } = self.solved.visibility().nearest(&self.view.ray(x, y))?;
+        let Encounter { surface, hit, front, .. } = self.solved.visibility().nearest(&self.view.ray(x, y))?;
         front.then_some((surface, [hit.u, hit.v]))
     }
 

@@ -70,7 +70,7 @@ pub fn wireframe(
 /// The element whose front is seen through the point (x, y) of the picture.
 fn element(elements: &Elements, visibility: &Visibility, view: &Pinhole, x: f64, y: f64) -> u32 {
     let ray = view.ray(x, y);
-    let Some(Encounter { surface, hit, front }) = visibility.nearest(&ray) else { return NOTHING };
+    let Some(Encounter { surface, hit, front, .. }) = visibility.nearest(&ray) else { return NOTHING };
     let element = elements.at(surface, [hit.u, hit.v]).filter(|_| front);
     element.and_then(|index| u32::try_from(index).ok()).unwrap_or(NOTHING)
 }

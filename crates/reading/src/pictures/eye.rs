@@ -74,7 +74,7 @@ impl<'a> Eye<'a> {
 
     /// The front that a ray meets first, if it is a front.
     pub(crate) fn along(&self, ray: &Ray) -> Option<SeenPlace> {
-        let Encounter { surface, hit, front } = self.visibility.nearest(ray)?;
+        let Encounter { surface, hit, front, .. } = self.visibility.nearest(ray)?;
         // Where two surfaces meet, light is the limit from within the visible one.
         let point =
             front.then(|| SurfacePoint::at(self.elements, surface, [hit.u, hit.v], self.diagonal))??;

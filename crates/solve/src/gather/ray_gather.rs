@@ -50,9 +50,11 @@ const CAUTION: f64 = 1.25;
 /// with these by .76 % in 7.4 s, and 99.5 % of the cells by less than three times what is told.
 const CAUTION_OF_CELLS: f64 = 1.0;
 
-/// Fewest rays that are sent at once for a cell, over those that were sent. Chosen. To points as many again are sent:
-/// where the error is looked at more often, more of those stop whose sequences agree by chance. Measured on sixty
-/// random rooms: the largest error of a room was .88 % with steps of a quarter, and is .78 %.
+/// Fewest rays that are sent at once for a cell, or for a place of a picture, over those that were sent. Chosen. To
+/// points that are read as many again are sent: where the error is looked at more often, more of those stop whose
+/// sequences agree by chance. Measured on sixty random rooms: the largest error of a room was .88 % with steps of a
+/// quarter, and is .78 %. Pictures average: one of a shop took 4.2 million rays and erred by .21 % (L2) with as many
+/// again, and takes 3.5 and errs by .24 %.
 const FEW_MORE: f64 = 0.25;
 
 /// Light that the surfaces reflect which rays meet.
@@ -213,7 +215,8 @@ impl<'a> RayGather<'a> {
         match beyond {
             Beyond::Polynomials => {
                 let sequences = Sequences::OneAfterTheOther;
-                self.gathered(&rays, &Wanted { sequences, ..self.wanted(FIRST_TOGETHER) }, other)
+                let wanted = Wanted { sequences, least: FEW_MORE, ..self.wanted(FIRST_TOGETHER) };
+                self.gathered(&rays, &wanted, other)
             }
             _ => self.gathered(&rays, &self.wanted(FIRST_OF_MANY), other),
         }

@@ -13,7 +13,7 @@ use std::f64::consts::PI;
 use radiosity_elements::Elements;
 use radiosity_elements::measure::WeightedNode;
 use radiosity_elements::sampling::lambert::lambert;
-use radiosity_geom::{COINCIDENT, DVec3};
+use radiosity_geom::{COINCIDENT, DVec3, Encounter};
 use radiosity_light::emitters::{Emitters, Radiances};
 use radiosity_light::lamps::{Lamps, Shares, Target};
 use radiosity_light::point_lights::PointLights;
@@ -138,13 +138,13 @@ impl<'a> SentRays<'a> {
     /// The front that a ray meets first; None where that is covered by another surface, and the ray does not
     /// come from it: what is covered shines only on what covers it.
     pub(super) fn met(&self, receiver: &ReceiverPoint, direction: DVec3) -> Option<Met> {
-        let (surface, hit) = front_met(self.visibility, receiver, direction)?;
+        let Encounter { surface, hit, normal, .. } = front_met(self.visibility, receiver, direction)?;
         let element = self.elements.at(surface, [hit.u, hit.v])?;
         let own = &self.elements.list()[element];
         let is_hidden = own.contact.is_some() && hit.t > self.touching;
         let position = receiver.position + hit.t * direction;
         let place = SurfacePlace { surface, parameters: [hit.u, hit.v], position };
-        let curved = || self.elements.shape(surface).jet(hit.u, hit.v).normal;
+        let curved = || normal.unwrap_or_else(|| self.elements.shape(surface).jet(hit.u, hit.v).normal);
         let normal = own.plane.map_or_else(curved, |plane| plane.normal);
         (!is_hidden).then_some(Met { element, place, normal, distance: hit.t, direction })
     }

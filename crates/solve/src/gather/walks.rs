@@ -12,7 +12,7 @@
 
 use radiosity_elements::sampling::lambert::lambert;
 use radiosity_elements::sampling::shift::{number_of, shift};
-use radiosity_geom::{DVec3, Encounter, Hit, Ray};
+use radiosity_geom::{DVec3, Encounter, Ray};
 use radiosity_light::receiver_point::ReceiverPoint;
 use radiosity_visibility::Visibility;
 use radiosity_work::interruption::check_interrupt;
@@ -56,13 +56,13 @@ impl SendingSide {
     }
 }
 
-/// The surface whose front a ray from a point meets first, and where; None where it begins below the horizon
-/// of the ground, and where it meets a back first.
+/// The front that a ray from a point meets first; None where it begins below the horizon of the ground, and where it
+/// meets a back first.
 pub(super) fn front_met(
     visibility: &Visibility,
     from: &ReceiverPoint,
     direction: DVec3,
-) -> Option<(usize, Hit)> {
+) -> Option<Encounter> {
     if from.ground.is_some_and(|ground| ground.dot(direction) <= 0.0) {
         return None;
     }
@@ -70,7 +70,7 @@ pub(super) fn front_met(
         Some(surface) => visibility.nearest_from(surface, from.position, direction),
         None => visibility.nearest(&Ray::new(from.position, direction)),
     };
-    met.filter(|met| met.front).map(|Encounter { surface, hit, .. }| (surface, hit))
+    met.filter(|met| met.front)
 }
 
 impl<'a> Walks<'a> {
@@ -112,7 +112,7 @@ impl<'a> Walks<'a> {
         let (surface, parameters) = match below {
             Some(_) => Lune::of(from, elements).map(|lune| (lune.place.surface, lune.place.parameters))?,
             None => {
-                let (surface, hit) = front_met(self.visibility, from, direction)?;
+                let Encounter { surface, hit, .. } = front_met(self.visibility, from, direction)?;
                 (surface, [hit.u, hit.v])
             }
         };

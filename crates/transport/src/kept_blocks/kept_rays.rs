@@ -80,7 +80,7 @@ impl KeptHit {
     pub(crate) fn of(encounter: Option<&Encounter>) -> Self {
         match encounter {
             None => Self { surface: NOTHING, hit: [f64::INFINITY; 3] },
-            Some(Encounter { surface, hit, front }) => {
+            Some(Encounter { surface, hit, front, .. }) => {
                 Self { surface: 2 * *surface as u32 + u32::from(!front), hit: [hit.t, hit.u, hit.v] }
             }
         }
@@ -99,8 +99,8 @@ impl KeptHit {
     pub(crate) fn encounter(self) -> Option<Encounter> {
         let [t, u, v] = self.hit;
         let surface = (self.surface / 2) as usize;
-        let encounter = Encounter { surface, hit: Hit { t, u, v }, front: self.surface.is_multiple_of(2) };
-        (self.surface != NOTHING).then_some(encounter)
+        let (hit, front) = (Hit { t, u, v }, self.surface.is_multiple_of(2));
+        (self.surface != NOTHING).then_some(Encounter { surface, hit, front, normal: None })
     }
 }
 

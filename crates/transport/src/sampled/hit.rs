@@ -57,7 +57,7 @@ pub(super) fn hit(
 ) -> Option<Hit> {
     let Departure { node, direction, weight } = departure;
     let sender = &elements.list()[source];
-    let Encounter { surface, hit, front } = met?;
+    let Encounter { surface, hit, front, .. } = met?;
     if !front {
         return None;
     }

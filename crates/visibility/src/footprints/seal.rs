@@ -124,7 +124,7 @@ fn fronts_seen(
         check_interrupt();
         for direction in directions(axes) {
             let ray = Ray { origin: *origin, direction, range: [clear, f64::INFINITY] };
-            let Encounter { surface, hit, front } = obstacles.nearest(&ray)?;
+            let Encounter { surface, hit, front, .. } = obstacles.nearest(&ray)?;
             if !front {
                 continue;
             }

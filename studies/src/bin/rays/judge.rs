@@ -151,7 +151,9 @@ impl<'a> Lit<'a> {
 
     /// Reflected radiosity of what a ray meets.
     fn sent_back(&self, ray: &Ray) -> f64 {
-        let Some(Encounter { surface, hit, front: true }) = self.visibility.nearest(ray) else { return 0.0 };
+        let Some(Encounter { surface, hit, front: true, .. }) = self.visibility.nearest(ray) else {
+            return 0.0;
+        };
         let Some(element) = self.solution.elements().at(surface, [hit.u, hit.v]) else { return 0.0 };
         let place = SurfacePlace {
             surface,
