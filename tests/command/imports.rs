@@ -112,7 +112,12 @@ fn what_is_left_out_does_not_end_in_nothing_looks_wrong() {
     let folder = folder(&[("glossy.xml", GLOSSY), ("plain.xml", &plain)]);
     let [found, _] = done(folder.path(), &["check", "glossy.xml"]);
     assert!(found.contains("specular reflection is left out"), "{found}");
-    assert!(found.ends_with("parts of the file were left out: see the line above\n"), "{found}");
+    assert!(
+        found.ends_with(
+            "nothing else looks wrong: what the import left out, turned or repaired is told above\n"
+        ),
+        "{found}"
+    );
     let [found, _] = done(folder.path(), &["check", "plain.xml"]);
     assert!(found.ends_with("nothing looks wrong\n"), "{found}");
 }
