@@ -40,6 +40,7 @@ use std::borrow::Cow;
 use std::ops::Range;
 use std::sync::Arc;
 
+use radiosity_core::dot;
 use radiosity_geom::{Aabb, Bvh, DVec3, LOOSE, PlanarRegion, Rect, Surface, polygon_width, touching};
 use radiosity_scene::{Scene, SceneSurface};
 use radiosity_visibility::covered_parts::{CoveredPart, CoveredParts, without};
@@ -306,6 +307,17 @@ impl Elements {
     /// Coefficients c of the constant 1, element by element.
     pub fn constant(&self) -> Vec<f64> {
         self.list.iter().flat_map(|element| &element.constant).copied().collect()
+    }
+
+    /// Mean over each element of what these coefficients stand for.
+    pub fn means(&self, coefficients: &[f64]) -> Vec<f64> {
+        let mut rest = coefficients;
+        let mean = |element: &Element| {
+            let (own, others) = rest.split_at(element.constant.len());
+            rest = others;
+            dot(own, &element.constant) / element.area
+        };
+        self.list.iter().map(mean).collect()
     }
 
     /// Where the coefficients of each element start, and their number.

@@ -12,7 +12,6 @@
 //! difference of these two solutions is about the error of the solution by all rays. (Rays by brightness: P.
 //! Hanrahan, D. Salzman, L. Aupperle, SIGGRAPH 1991, 197-206, for links.)
 
-use radiosity_core::dot;
 use radiosity_elements::coating::Coating;
 use radiosity_elements::{Element, Elements};
 use radiosity_kernel::{Accuracy, Blocks};
@@ -101,7 +100,9 @@ impl Subject<'_> {
         let list = self.elements.list();
         let powers = |band: usize, coating: &Coating, entry: &DirectLightEntry| -> Vec<f64> {
             let lit = match entry {
-                DirectLightEntry::Lit(lit) | DirectLightEntry::Arrived(lit) => self.means(&lit[band]),
+                DirectLightEntry::Lit(lit) | DirectLightEntry::Arrived(lit) => {
+                    self.elements.means(&lit[band])
+                }
                 _ => vec![0.0; list.len()],
             };
             let is_carried = !matches!(entry, DirectLightEntry::Arrived(_));
@@ -244,7 +245,7 @@ impl Subject<'_> {
         let mut bright = vec![0.0; self.elements.list().len()];
         let mut bands = 0.0;
         for solved in self.solved(blocks)? {
-            let radiosity = self.means(&solved.radiosity);
+            let radiosity = self.elements.means(&solved.radiosity);
             let power: f64 = radiosity
                 .iter()
                 .zip(self.elements.list())
@@ -284,7 +285,7 @@ impl Subject<'_> {
     ) -> Result<Vec<Vec<f64>>, SolveError> {
         let blocks = transport.blocks(rays);
         let solved = self.solved(&blocks)?;
-        Ok(solved.iter().map(|solved| self.means(&solved.irradiance)).collect())
+        Ok(solved.iter().map(|solved| self.elements.means(&solved.irradiance)).collect())
     }
 
     /// Rough solutions, band by band and group by group.
@@ -304,16 +305,5 @@ impl Subject<'_> {
             all.extend(solved.found.into_iter().map(|found| found.coefficients));
         }
         Ok(all)
-    }
-
-    /// Mean over each element of what these coefficients stand for.
-    fn means(&self, coefficients: &[f64]) -> Vec<f64> {
-        let mut start = 0;
-        let mean = |element: &Element| {
-            let own = &coefficients[start..][..element.constant.len()];
-            start += own.len();
-            dot(own, &element.constant) / element.area
-        };
-        self.elements.list().iter().map(mean).collect()
     }
 }

@@ -2,7 +2,7 @@
 //! grazing angle or the inside of a lampshade.
 //!
 //! ```text
-//! g = mean over the bands of  ρ Ē_j / Ē ,     Ē_j the mean irradiance of the element, Ē of all surfaces
+//! g = mean over the bands of  ρ Ē_j / Ē ,     Ē_j the mean irradiance of the element, Ē the usual one
 //! ```
 //!
 //! Of n cosine-distributed rays those that meet an element of the form factor F bring F g ± g (F/n)^½ of the light that
@@ -50,12 +50,9 @@ impl Glow {
         let list = solution.elements().list();
         let mut glow = vec![0.0; list.len()];
         for (band, usual) in solution.bands().iter().zip(usual) {
-            let mut rest = band.coefficients.irradiance.as_slice();
-            for (index, (element, glow)) in list.iter().zip(&mut glow).enumerate() {
-                let (own, others) = rest.split_at(element.basis.len());
-                rest = others;
-                let sum: f64 = own.iter().zip(&element.constant).map(|(held, one)| held * one).sum();
-                let sent = band.coating.reflectance[index] * sum / element.area;
+            let means = solution.elements().means(&band.coefficients.irradiance);
+            for (index, (mean, glow)) in means.into_iter().zip(&mut glow).enumerate() {
+                let sent = band.coating.reflectance[index] * mean;
                 *glow += sent / (usual.max(f64::MIN_POSITIVE) * solution.bands().len() as f64);
             }
         }

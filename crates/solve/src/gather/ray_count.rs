@@ -4,9 +4,12 @@
 /// Cornell box.
 const ROUGHNESS: f64 = 1.5;
 
-/// Most rays over their expected number; never more than [`MOST`] are sent: some ten seconds. Both are
-/// chosen.
-const PATIENCE: f64 = 16.0;
+/// Most rays over their expected number, for a point that is read alone, and for one of the many of a picture or a grid;
+/// never more than [`MOST`] are sent: some ten seconds, which is chosen, as the latter is. Measured at points of eight
+/// random rooms with lampshades of paper: with 16 and 64 they erred by 3.2 to 6.1 % and 1.3 to 4.7 % (L2), the noise of
+/// what is right of 1 to 3 % among it, after .7 to 1.0 and 1.2 to 2.1 s.
+pub(super) const PATIENCE: f64 = 64.0;
+pub(super) const PATIENCE_OF_MANY: f64 = 16.0;
 const MOST: f64 = 1.6e7;
 
 /// Cosine-distributed rays that an error of `eps` takes.
@@ -52,7 +55,7 @@ pub(super) fn most_walks(eps: f64) -> u64 {
     (NOISE / eps).powi(2).min(MOST) as u64
 }
 
-/// Most cosine-distributed rays for an error of `eps`.
-pub(super) fn most_rays(eps: f64) -> u64 {
-    (PATIENCE * usual_rays(eps)).min(MOST) as u64
+/// Most cosine-distributed rays for an error of `eps`, with so much patience.
+pub(super) fn most_rays(eps: f64, patience: f64) -> u64 {
+    (patience * usual_rays(eps)).min(MOST) as u64
 }

@@ -27,7 +27,8 @@ use radiosity_visibility::Visibility;
 use crate::gather::flat_lamps::FarLamps;
 use crate::gather::met_light::{Ending, Held, MetLight};
 use crate::gather::ray_count::{
-    FIRST, FIRST_OF_CELLS, FIRST_OF_MANY, FIRST_TO_FAR, FIRST_TOGETHER, most_rays, most_walks, usual_rays,
+    FIRST, FIRST_OF_CELLS, FIRST_OF_MANY, FIRST_TO_FAR, FIRST_TOGETHER, PATIENCE, PATIENCE_OF_MANY,
+    most_rays, most_walks, usual_rays,
 };
 use crate::gather::ray_estimate::{BandLight, Batches, Beside, Estimate, Sequences};
 use crate::gather::read_irradiance::ReadIrradiance;
@@ -101,6 +102,8 @@ struct Wanted<'s> {
     first: u64,
     /// Factor on the deviation where it decides that rays are enough.
     caution: f64,
+    /// Most rays over their expected number.
+    patience: f64,
     /// Fewest rays that are sent at once later, over those that were sent.
     least: f64,
     /// Irradiance per band below which errors are to be small relative to this (W m⁻²).
@@ -155,7 +158,7 @@ impl<'a> RayGather<'a> {
     /// All light of a receiver, by rays alone. It depends on nothing but the receiver.
     pub fn read(&self, origin: &Receiver) -> ReadIrradiance {
         let rays = ReceiverRays::all(&self.light, origin, self.beyond.onward(Held::READ));
-        self.gathered(&rays, &self.wanted(FIRST), &vec![0.0; self.dark.len()])
+        self.gathered(&rays, &self.wanted_of(origin), &vec![0.0; self.dark.len()])
     }
 
     /// All light of a receiver that is one of so many, by rays alone, accurate relative to the usual irradiance where
@@ -176,6 +179,7 @@ impl<'a> RayGather<'a> {
             sequences: Sequences::Independent,
             first: FIRST_OF_CELLS,
             caution: CAUTION_OF_CELLS,
+            patience: PATIENCE_OF_MANY,
             least: FEW_MORE,
             dark: &dark,
         };
@@ -190,7 +194,7 @@ impl<'a> RayGather<'a> {
     /// The reflected light of a receiver alone, accurate relative to this and the light `other` (W m⁻² per band).
     pub(super) fn reflected_alone(&self, origin: &Receiver, other: &[f64]) -> ReadIrradiance {
         let rays = ReceiverRays::reflected(&self.light, origin, self.beyond.onward(Held::READ));
-        self.gathered(&rays, &self.wanted(FIRST), other)
+        self.gathered(&rays, &self.wanted_of(origin), other)
     }
 
     /// The reflected light of a point alone, one of many, in a narrow gap between the surfaces `own`, accurate relative
@@ -229,28 +233,44 @@ impl<'a> RayGather<'a> {
         self.gathered(&rays, &self.wanted(FIRST_OF_MANY), other)
     }
 
-    /// Numbers of rays, of which `first` are sent before the error is looked at where they do not go on.
-    fn counts(&self, first: u64) -> RayCounts {
+    /// Numbers of rays, as they are `wanted`.
+    fn counts(&self, wanted: &Wanted) -> RayCounts {
+        let Wanted { first, patience, .. } = *wanted;
         match self.beyond {
             Beyond::Walked => {
                 RayCounts { first: FEWEST_WALKS, least: FIRST_WALKS, most: most_walks(self.eps) }
             }
-            _ => RayCounts { first, least: first, most: most_rays(self.eps) },
+            _ => RayCounts { first, least: first, most: most_rays(self.eps, patience) },
         }
     }
 
-    /// Wishes for a reading of which so many rays are sent at first.
+    /// Wishes for one of many readings, of which so many rays are sent at first.
     fn wanted(&self, first: u64) -> Wanted<'_> {
-        Wanted { sequences: Sequences::Independent, first, caution: CAUTION, least: 1.0, dark: &self.dark }
+        Wanted {
+            sequences: Sequences::Independent,
+            first,
+            caution: CAUTION,
+            patience: PATIENCE_OF_MANY,
+            least: 1.0,
+            dark: &self.dark,
+        }
+    }
+
+    /// Wishes for the reading of a receiver; patches are many.
+    fn wanted_of(&self, origin: &Receiver) -> Wanted<'_> {
+        match origin {
+            Receiver::Point(_) => Wanted { patience: PATIENCE, ..self.wanted(FIRST) },
+            Receiver::Patch(..) => self.wanted(FIRST),
+        }
     }
 
     /// Light by these rays, as it is `wanted`; `other` light (W m⁻² per band) arrives too. Further rays are sent of the
     /// kind that errs more: around, or to far emitters.
     fn gathered(&self, rays: &ReceiverRays, wanted: &Wanted, other: &[f64]) -> ReadIrradiance {
-        let Wanted { sequences, first, caution, least: least_more, dark } = *wanted;
+        let Wanted { sequences, caution, least: least_more, dark, .. } = *wanted;
         let bands = dark.len();
         let beside = Beside { scale: &self.light.scale, dark, other };
-        let RayCounts { first, least, most } = self.counts(first);
+        let RayCounts { first, least, most } = self.counts(wanted);
         let number = rays.number();
         let (mut around, mut to_far) = (Batches::of(sequences, bands), Batches::of(sequences, 2 * bands));
         let send_around = |around: &mut Batches, count: u64| {
