@@ -13,8 +13,8 @@ pub mod group_light;
 use std::sync::Arc;
 
 use radiosity_core::dot;
+use radiosity_elements::Elements;
 use radiosity_elements::coating::Coating;
-use radiosity_elements::{Element, Elements};
 use radiosity_geom::DVec3;
 use radiosity_light::emitters::{Emitters, Radiances};
 use radiosity_light::point_lights::PointLights;
@@ -256,24 +256,6 @@ impl Solution {
         let ones = self.elements.constant();
         let arriving = |band: &Band| dot(&band.coefficients.irradiance, &ones) / area;
         self.bands.iter().map(arriving).collect()
-    }
-
-    /// Usual irradiance E (W m⁻²) of each band, which a few bright places, as the inside of a lampshade, hardly raise:
-    ///
-    /// ```text
-    /// √E = Σ_j A_j √E_j / Σ_j A_j
-    /// ```
-    ///
-    /// over the elements of the area A_j and the mean irradiance E_j; that of the mean where all receive alike.
-    pub(crate) fn usual_arriving(&self) -> Vec<f64> {
-        let list = self.elements.list();
-        let area: f64 = list.iter().map(|element| element.area).sum();
-        let root = |(element, mean): (&Element, f64)| element.area * mean.max(0.0).sqrt();
-        let usual = |band: &Band| {
-            let means = self.elements.means(&band.coefficients.irradiance);
-            (list.iter().zip(means).map(root).sum::<f64>() / area).powi(2)
-        };
-        self.bands.iter().map(usual).collect()
     }
 
     /// Direct light with its shadow masks, where there are any.

@@ -4,8 +4,8 @@
 //! b = max over the bands of  ρ ( Σ_highest h_k² / A )^½ / Ē        without a unit
 //! ```
 //!
-//! over the coefficients h_k of the polynomials of the highest degree on an element of the area A, with the usual
-//! irradiance Ē (`Solution::usual_arriving`). What polynomials cannot follow is about as large: all of the light on an element that
+//! over the coefficients h_k of the polynomials of the highest degree on an element of the area A, with the mean
+//! irradiance Ē of all surfaces. What polynomials cannot follow is about as large: all of the light on an element that
 //! has constants alone.
 
 use crate::solution::Solution;

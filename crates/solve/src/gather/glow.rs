@@ -2,7 +2,7 @@
 //! grazing angle or the inside of a lampshade.
 //!
 //! ```text
-//! g = mean over the bands of  ρ Ē_j / Ē ,     Ē_j the mean irradiance of the element, Ē the usual one
+//! g = mean over the bands of  ρ Ē_j / Ē ,     Ē_j the mean irradiance of the element, Ē of all surfaces
 //! ```
 //!
 //! Of n cosine-distributed rays those that meet an element of the form factor F bring F g ± g (F/n)^½ of the light that

@@ -44,7 +44,7 @@ pub(super) struct MetLight<'a> {
     pub(super) glow: Glow,
     /// Mean radiosity per band (W m⁻²).
     pub(super) scale: Vec<f64>,
-    /// Usual irradiance per band of all surfaces (W m⁻²).
+    /// Mean irradiance per band of all surfaces (W m⁻²).
     pub(super) usual: Vec<f64>,
     /// Bend of the light that each element reflects (`super::bends`).
     bends: Vec<f64>,
@@ -111,7 +111,7 @@ pub(super) enum EndLight {
 impl<'a> MetLight<'a> {
     /// The light of `solution` behind these obstacles.
     pub(super) fn of(solution: &'a Solution, visibility: &'a Visibility) -> Self {
-        let (scale, usual) = (solution.mean_radiosity(), solution.usual_arriving());
+        let (scale, usual) = (solution.mean_radiosity(), solution.mean_arriving());
         let rays = SentRays::among(solution.elements(), &solution.emitters(), visibility, &scale);
         Self {
             solution,
