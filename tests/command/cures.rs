@@ -79,7 +79,7 @@ impl Row {
     }
 }
 
-/// What a strict `check` of a scene says, which finds nothing wrong.
+/// Words of a strict `check` of a scene, which finds nothing wrong.
 #[track_caller]
 fn assert_clean(scene: &str) {
     let folder = folder(&[("room.toml", scene)]);

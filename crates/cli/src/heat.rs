@@ -104,7 +104,7 @@ enum MatrixFormat {
     Npz,
 }
 
-/// What a network of conductances takes for granted.
+/// Assumptions of a network of conductances.
 const NETWORK: &str = "in a network of conductances each surface has one temperature; in the balance that of a surface \
                        of known flux varies over it, so that both differ there";
 

@@ -91,7 +91,7 @@ impl Conductances {
         Self { rows, lost, asymmetry, negative: 0.0 }.not_negative(emitted)
     }
 
-    /// The same without negative entries and with rows of the same sums.
+    /// These without negative entries, with rows of equal sums.
     fn not_negative(mut self, emitted: &[f64]) -> Self {
         for i in 0..emitted.len() {
             let own = self.lost[i];

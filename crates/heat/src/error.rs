@@ -12,19 +12,19 @@ pub enum HeatError {
     /// Surfaces of which neither temperature nor flux is known.
     #[error("neither a temperature nor a flux of heat is given for {}", listed(surfaces))]
     NoCondition {
-        /// What the surfaces are called.
+        /// Names of the surfaces.
         surfaces: Vec<String>,
     },
     /// Surfaces that need an emissivity.
     #[error("no emissivity is given for {}", listed(surfaces))]
     NoEmissivity {
-        /// What the surfaces are called.
+        /// Names of the surfaces.
         surfaces: Vec<String>,
     },
     /// Surfaces that let heat through.
     #[error("heat would pass through {}", listed(surfaces))]
     Transmits {
-        /// What the surfaces are called.
+        /// Names of the surfaces.
         surfaces: Vec<String>,
     },
     /// Surfaces that exchange heat with one another alone, all of known flux.
@@ -33,13 +33,13 @@ pub enum HeatError {
         listed(surfaces)
     )]
     NoLevel {
-        /// What the surfaces are called.
+        /// Names of the surfaces.
         surfaces: Vec<String>,
     },
     /// Surfaces from which more heat is drawn than arrives.
     #[error("more heat is drawn than arrives: no temperature is low enough for {}", listed(surfaces))]
     TooCold {
-        /// What the surfaces are called.
+        /// Names of the surfaces.
         surfaces: Vec<String>,
     },
     /// Conductances for which memory does not suffice.
@@ -93,7 +93,7 @@ impl HeatError {
     }
 }
 
-/// What surfaces are called, the first ones of many.
+/// Names of surfaces, the first ones of many.
 pub(super) fn listed(called: &[String]) -> String {
     let spelt = called[..called.len().min(SPELT)].join(", ");
     match called.len().saturating_sub(SPELT) {

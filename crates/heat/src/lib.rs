@@ -76,7 +76,7 @@ pub struct Heat {
     /// The figures of each surface, in the order of the scene, and behind them those of backs of surfaces of one side
     /// that have a temperature, or that heat reaches.
     pub surfaces: Vec<SurfaceHeat>,
-    /// What surfaces are called whose level nothing sets: all are adiabatic, and exchange heat with one another alone.
+    /// Names of surfaces whose level nothing sets: all are adiabatic, and exchange heat with one another alone.
     pub without_level: Vec<String>,
     /// Flow (W) that leaves the scene, Σ Q; in a closed scene how well the balance closes.
     pub lost: f64,

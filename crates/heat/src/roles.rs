@@ -147,13 +147,13 @@ impl Roles {
     }
 }
 
-/// What the surfaces of which `holds` is true are called.
+/// Names of the surfaces of which `holds` is true, as messages call them.
 pub(super) fn named(scene: &Scene, holds: impl Fn(usize, &SceneSurface) -> bool) -> Vec<String> {
     let all = scene.surfaces.iter().enumerate().filter(|(index, surface)| holds(*index, surface));
     all.map(|(index, _)| called(scene, index)).collect()
 }
 
-/// What messages call a surface: by the name that was typed.
+/// Name of a surface in messages: the one that was typed.
 pub(super) fn called(scene: &Scene, index: usize) -> String {
     match scene.surfaces[index].other_side.filter(|front| *front < index) {
         Some(front) => format!("the back of {:?}", scene.surfaces[front].name),

@@ -212,7 +212,7 @@ impl PointLights {
     }
 
     /// Whether the sun is among them.
-    pub(crate) fn has_sun(&self) -> bool {
+    pub fn has_sun(&self) -> bool {
         !self.suns.is_empty()
     }
 

@@ -112,22 +112,23 @@ impl PlaneFigures {
     }
 }
 
-/// Which of some readings count in their figures: those that lie in the room, and all where none does or nothing is
-/// closed.
-///
-/// A sensor that meets backs more often than fronts, or no front at all, lies outside or in a solid. In a scene where no
-/// sensor is closed in, there is no outside.
+/// Which of some readings count in their figures: those that lie in the room, and all where none does.
 pub fn is_in_room(readings: &[ProbeReading]) -> Vec<bool> {
-    let is_out = |own: &Surroundings| own.backs > own.fronts || own.fronts == 0;
-    let around = || readings.iter().map(|reading| &reading.surroundings);
-    let has_room = around().any(|own| own.are_closed() && !is_out(own));
-    let inside: Vec<bool> = around().map(|own| !is_out(own) || !(has_room || own.are_closed())).collect();
+    let inside: Vec<bool> = is_outside(readings).into_iter().map(|is_outside| !is_outside).collect();
     if inside.contains(&true) { inside } else { vec![true; readings.len()] }
+}
+
+/// Which of some readings lie outside of the room or in a solid: they get no light, and meet backs of surfaces in at
+/// least as many directions as fronts. Backs alone do not tell: behind a panel of one side a room is lit.
+fn is_outside(readings: &[ProbeReading]) -> Vec<bool> {
+    let is_dark = is_dark(readings.iter());
+    let meets_backs = |own: &Surroundings| own.backs > 0 && own.backs >= own.fronts;
+    readings.iter().map(|reading| is_dark(reading) && meets_backs(&reading.surroundings)).collect()
 }
 
 /// A warning of points outside of the room or in solids.
 pub fn outside_points(readings: &[ProbeReading]) -> Option<Warning> {
-    let outside = is_in_room(readings).iter().filter(|inside| !**inside).count();
+    let outside = is_outside(readings).into_iter().filter(|is_outside| *is_outside).count();
     let message =
         format!("{outside} of the {} points lie outside of the room or in solids: move them", readings.len());
     (outside > 0).then(|| Warning::general("outside-points", message))
@@ -145,7 +146,13 @@ fn root_mean_square(errors: &[&f64]) -> Option<f64> {
 
 /// Number of readings without light in any band.
 fn dark(readings: &[&ProbeReading]) -> usize {
-    let greatest = |reading: &&ProbeReading| reading.irradiance.iter().copied().fold(0.0, f64::max);
-    let most = readings.iter().map(greatest).fold(0.0, f64::max);
-    readings.iter().filter(|reading| greatest(reading) <= DARK * most).count()
+    let is_dark = is_dark(readings.iter().copied());
+    readings.iter().filter(|reading| is_dark(reading)).count()
+}
+
+/// Whether a reading has no light in any band, beside the brightest of `readings`.
+fn is_dark<'a>(readings: impl Iterator<Item = &'a ProbeReading>) -> impl Fn(&ProbeReading) -> bool {
+    let greatest = |reading: &ProbeReading| reading.irradiance.iter().copied().fold(0.0, f64::max);
+    let most = readings.map(greatest).fold(0.0, f64::max);
+    move |reading| greatest(reading) <= DARK * most
 }

@@ -67,7 +67,7 @@ pub struct ProbeReading {
     pub deviation: Option<Deviation>,
     /// The surface the probe lies on, if any.
     pub on: Option<OnSurface>,
-    /// What is met first about the probe.
+    /// Surfaces that are met first about the probe.
     pub surroundings: Surroundings,
 }
 

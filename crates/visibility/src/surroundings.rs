@@ -1,7 +1,7 @@
 //! Surroundings of a point: what is met first in directions evenly about it.
 //!
-//! A point in a room meets fronts alone. One outside meets backs of walls, or nothing; one in a solid backs, and the
-//! front of what the solid stands on.
+//! A point in a room meets fronts alone, but for sheets of one side. One outside meets backs of walls, or nothing; one
+//! in a solid backs, and the front of what the solid stands on.
 
 use radiosity_geom::{DVec3, Ray};
 use serde::{Deserialize, Serialize};
@@ -18,15 +18,6 @@ pub struct Surroundings {
     pub fronts: u32,
     /// The back of a surface of one side.
     pub backs: u32,
-    /// Nothing.
-    pub open: u32,
-}
-
-impl Surroundings {
-    /// Whether something is met in all directions.
-    pub fn are_closed(&self) -> bool {
-        self.open == 0
-    }
 }
 
 impl Visibility {
@@ -43,7 +34,7 @@ impl Visibility {
             let count = match met {
                 Some(met) if met.front => &mut found.fronts,
                 Some(_) => &mut found.backs,
-                None => &mut found.open,
+                None => continue,
             };
             *count += 1;
         }

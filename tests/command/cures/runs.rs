@@ -1,4 +1,4 @@
-//! What runs warn of, with the cure that the warning names.
+//! Warnings of runs, with the cures that they name.
 
 use super::Typed;
 

@@ -1,4 +1,4 @@
-//! What `check` warns of, with the cure that it names.
+//! Warnings of `check`, with the cures that they name.
 
 use super::{MORE, Row};
 

@@ -17,7 +17,7 @@ const WALKS: usize = 20_000;
 /// Errors of a mean of walks that it is hardly off by, beside three told ones.
 const CHANCE: f64 = 4.0;
 
-/// What is known of a side.
+/// Condition of a side.
 #[derive(Clone, Copy, Debug)]
 enum Known {
     Kelvin(f64),
@@ -178,7 +178,7 @@ impl Enclosure {
         .expect("text takes all");
     }
 
-    /// What leaves a place along a ray, in a mean of many (W m⁻²).
+    /// Radiosity that arrives at a place along a ray, in the mean of many (W m⁻²).
     fn arriving(&self, mut side: usize, random: &mut Random) -> f64 {
         let mut sum = 0.0;
         let mut place = self.sides[side].place([random.unit(), random.unit()]);
@@ -239,7 +239,7 @@ fn condition(random: &mut Random) -> Known {
     }
 }
 
-/// What is printed of a side, as flow or level, with the error that is told.
+/// Flow or level that is printed of a side, with the error that is told.
 fn printed(own: &SurfaceHeat) -> [f64; 2] {
     match own.is_temperature_known {
         true => [own.flow, own.flow_error],

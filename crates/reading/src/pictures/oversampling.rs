@@ -1,9 +1,7 @@
 //! Pixels that are sampled finely: those that an edge of a surface crosses, or that differ from one beside them.
 //!
 //! They average `samples × samples` points of a regular grid. A sample that sees the smooth surface that middles of
-//! pixels about it see takes the light of a fit to theirs where that leaves little; elsewhere its own direct light is
-//! computed. Other light, which is even within most pixels, is computed once for all samples of a pixel that see one
-//! smooth surface outside of narrow gaps: at the one in their middle, the more accurately the more they are.
+//! pixels about it see takes the light of a fit to theirs where that leaves little; elsewhere its own is computed.
 
 use radiosity_light::penumbra::RayEffort;
 use radiosity_work::ranks::PartName;
@@ -244,69 +242,24 @@ impl Shot<'_> {
         };
         let even: Vec<Option<Vec<f64>>> =
             ranks.map_even(PartName::SampleLight, places.len(), TOGETHER, beside);
-        let open = (0..places.len()).filter(|index| even[*index].is_none());
-        // Polynomials have joints, which may cross a pixel, and light changes fast in narrow gaps.
-        let is_gathered = field.is_some();
-        let is_joined =
-            |index: usize| is_gathered && even[index].is_none() && !self.light.is_in_gap(&places[index].seen);
-        let joined = ranks.map_even(PartName::SampleLight, places.len(), TOGETHER, is_joined);
-        let groups = alike(places, open, &joined);
-        let asked = |group: &Vec<usize>| {
-            let middle = middle(places, group);
-            Some(self.asked(&places[middle], group.len(), &irradiance[middle]))
-        };
-        let asked: Vec<Option<AskedPlace>> = groups.iter().map(asked).collect();
+        let asked =
+            |index: usize| even[index].is_none().then(|| self.asked(&places[index], &irradiance[index]));
+        let asked: Vec<Option<AskedPlace>> = (0..places.len()).map(asked).collect();
         let rest = other_light(&asked, self.light, field, self.work);
         let bands = self.light.solution().bands().len();
-        let add = |sums: &mut Vec<f64>, rest: &[f64]| {
+        for ((sums, even), rest) in irradiance.iter_mut().zip(&even).zip(rest.chunks_exact(bands)) {
+            let rest = even.as_deref().unwrap_or(rest);
             sums.iter_mut().zip(rest).for_each(|(sum, rest)| *sum += rest);
-        };
-        for (sums, even) in irradiance.iter_mut().zip(&even) {
-            add(sums, even.as_deref().unwrap_or_default());
-        }
-        for (group, rest) in groups.iter().zip(rest.chunks_exact(bands)) {
-            group.iter().for_each(|index| add(&mut irradiance[*index], rest));
         }
         irradiance
     }
 
-    /// A sample that stands for so many of its pixel, as a light field is asked for it, beside its direct light.
-    fn asked(&self, place: &SamplePlace, count: usize, direct: &[f64]) -> AskedPlace {
+    /// A sample as a light field is asked for it, beside its direct light.
+    fn asked(&self, place: &SamplePlace, direct: &[f64]) -> AskedPlace {
         let footprint = self.view.footprint(place.seen.place.position);
-        let share = count as f64 / f64::from(self.samples.pow(2));
-        let error_factor = (1.0 / share).clamp(1.0, ONE_OF_SEVERAL.error_factor);
-        AskedPlace { seen: place.seen, footprint, beside: direct.iter().sum(), error_factor }
+        let beside = direct.iter().sum();
+        AskedPlace { seen: place.seen, footprint, beside, error_factor: ONE_OF_SEVERAL.error_factor }
     }
-}
-
-/// Those of the `open` samples that see one smooth surface through one pixel, pixel by pixel; alone those that are not
-/// to be `joined`.
-fn alike(places: &[SamplePlace], open: impl Iterator<Item = usize>, joined: &[bool]) -> Vec<Vec<usize>> {
-    let mut groups: Vec<Vec<usize>> = Vec::new();
-    for index in open {
-        let SamplePlace { pixel, seen, .. } = &places[index];
-        let mut of_pixel = groups.iter_mut().rev().take_while(|group| places[group[0]].pixel == *pixel);
-        let goes = |group: &&mut Vec<usize>| {
-            joined[group[0]] && joined[index] && places[group[0]].seen.goes_with(seen)
-        };
-        match of_pixel.find(goes) {
-            Some(group) => group.push(index),
-            None => groups.push(vec![index]),
-        }
-    }
-    groups
-}
-
-/// The sample of a group that lies nearest to its middle in the picture.
-fn middle(places: &[SamplePlace], group: &[usize]) -> usize {
-    let mean =
-        |axis: usize| group.iter().map(|index| places[*index].at[axis]).sum::<f64>() / group.len() as f64;
-    let middle = [mean(0), mean(1)];
-    let apart = |index: usize| {
-        let at = places[index].at;
-        (at[0] - middle[0]).powi(2) + (at[1] - middle[1]).powi(2)
-    };
-    group.iter().copied().min_by(|a, b| apart(*a).total_cmp(&apart(*b))).unwrap_or(group[0])
 }
 
 /// Whether a pixel differs from one of the eight beside it.
