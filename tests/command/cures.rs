@@ -161,8 +161,8 @@ fn what_runs_warn_of_is_cured_as_the_warning_says() {
     assert_cured(runs::ROWS);
 }
 
-/// A ball that rests on the floor, a partition that reaches a centimetre into a wall, a globe of two sides about a lamp:
-/// nothing of them is to be turned over.
+/// A ball that rests on the floor, a partition that reaches a centimetre into a wall, a globe of two sides about a
+/// lamp: nothing of them is to be turned over.
 #[test]
 fn what_is_right_is_not_to_be_turned_over() {
     let objects = [
@@ -186,9 +186,9 @@ fn a_file_of_another_program_is_cured_once_it_is_converted() {
     let folder = folder(&[("scene.obj", away)]);
     let [found, _] = program::done(folder.path(), &["check", "scene.obj"]);
     for cure in [
-        "add a [camera] with eye and target, in the scene converted to .toml, as obj has no such key",
-        "flip = true turns it over, in the scene converted to .toml, as obj has no such key",
-        "or a sky and an opening to it, in the scene converted to .toml, as obj has no such key",
+        "add a [camera] with eye and target, in the scene converted to .toml",
+        "flip = true turns it over, in the scene converted to .toml",
+        "or a sky and an opening to it, in the scene converted to .toml",
     ] {
         assert!(found.contains(cure), "{cure:?} is missing in\n{found}");
     }

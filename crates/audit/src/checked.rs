@@ -28,7 +28,7 @@ use serde::Serialize;
 
 use crate::verdict::{Judged, Verdict};
 
-/// Relative error that would be seen beyond which what was found is nothing but rounding.
+/// Relative error, seen or that would be seen, beyond which what was found is nothing but rounding.
 const NOTHING: f64 = 1e3;
 
 /// Classes that a finding names at the most. Chosen: what a line of a terminal holds.
@@ -174,9 +174,9 @@ impl Checked {
 impl fmt::Display for Checked {
     fn fmt(&self, to: &mut fmt::Formatter<'_>) -> fmt::Result {
         let said = match self.is_seen {
+            _ if self.visible.max(self.error) > NOTHING => "all are 0 as far as walks tell".to_owned(),
             true => format!("off by {} % (± {} %)", percent(self.error), percent(self.error_sd)),
             false if self.visible == 0.0 => "no difference".to_owned(),
-            false if self.visible > NOTHING => "all are 0 as far as walks tell".to_owned(),
             false => format!("no error above {} % seen", percent(self.visible)),
         };
         let of = if self.audit.readings == 1 { self.of.trim_end_matches('s') } else { self.of };

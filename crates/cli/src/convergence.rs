@@ -23,7 +23,7 @@ use crate::{
     destination::Destination,
     error::CliError,
     format::of_kind,
-    loaded::Loaded,
+    loaded::{Loaded, outside},
     options::{PARAMETER_OR_GROUP, SceneArg},
     output_file::OutputFile,
     progress::Progress,
@@ -126,7 +126,9 @@ pub(crate) fn run(args: &ConvergenceArgs, loaded: &Loaded, ranks: &Ranks) -> Res
         Format::Csv => table.listed().csv(writer),
     })?;
     if !args.quiet {
-        console::tell(&[format!("wrote {}", path.display())], ranks);
+        let written = format!("wrote {}", path.display());
+        let lines: Vec<String> = outside(scene).into_iter().chain([written]).collect();
+        console::tell(&lines, ranks);
     }
     Ok(())
 }

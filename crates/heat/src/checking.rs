@@ -21,7 +21,8 @@ impl Heat {
     /// Makes the errors of a balance of `scene` true by what a referee finds at these surfaces.
     ///
     /// # Errors
-    /// Heat that cannot be read by walks: nothing is changed.
+    /// Heat that cannot be read by walks: nothing is changed. Surfaces from which no walk ends: what is told follows from
+    /// the others.
     pub fn check(
         &mut self,
         scene: &Scene,
@@ -30,9 +31,17 @@ impl Heat {
         work: &Work<'_>,
     ) -> Result<(), HeatFault> {
         let run = JudgedHeat::of(scene, self, surfaces, effort, work)?;
-        if run.surfaces.is_empty() {
-            return Ok(());
+        let read: Vec<usize> = run.surfaces.iter().map(|looked| looked.surface).collect();
+        if !read.is_empty() {
+            self.take(run);
         }
+        let unread = surfaces.iter().filter(|surface| !read.contains(surface));
+        let unread: Vec<String> = unread.map(|surface| self.surfaces[*surface].name.clone()).collect();
+        if unread.is_empty() { Ok(()) } else { Err(HeatFault::NoLevel { surfaces: unread }) }
+    }
+
+    /// Takes over what was found.
+    fn take(&mut self, run: JudgedHeat) {
         let checked = run.checked;
         for own in self.surfaces.iter_mut().filter(|own| own.has_level()) {
             own.flow_error = checked.told(own.flow_error, None);
@@ -42,7 +51,6 @@ impl Heat {
             self.take_difference(looked.surface, checked.told(0.0, Some(reading)));
         }
         self.checked = Some(checked);
-        Ok(())
     }
 
     /// Makes the error of a surface at least that of a difference in watts, and of the other side of a sheet too.

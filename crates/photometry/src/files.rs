@@ -70,7 +70,7 @@ pub trait Files {
     /// A file that is missing, cannot be read, is too long, or is out of reach.
     fn bytes(&self, name: &str) -> Result<Vec<u8>, Unread>;
 
-    /// Whether there is a file `name`, or one out of reach.
+    /// Whether there is a file `name` that can be read.
     fn has(&self, name: &str) -> bool {
         self.bytes(name).is_ok()
     }

@@ -127,7 +127,7 @@ fn is_outside(readings: &[ProbeReading]) -> Vec<bool> {
 }
 
 /// A warning of points outside of the room or in solids.
-pub fn outside_points(readings: &[ProbeReading]) -> Option<Warning> {
+pub(crate) fn outside_points(readings: &[ProbeReading]) -> Option<Warning> {
     let outside = is_outside(readings).into_iter().filter(|is_outside| *is_outside).count();
     let message =
         format!("{outside} of the {} points lie outside of the room or in solids: move them", readings.len());

@@ -26,7 +26,7 @@ pub enum HeatFault {
         /// Names of the surfaces.
         surfaces: Vec<String>,
     },
-    /// Surfaces with heat of their own from which none gets to a known temperature or out of the scene.
+    /// Surfaces from which no heat gets to a known temperature or out of the scene.
     #[error(
         "no walk ends that starts at {}: all that it meets has a known flux and none leaves",
         listed(surfaces)

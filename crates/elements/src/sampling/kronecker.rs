@@ -24,12 +24,12 @@ pub fn point<const D: usize>(index: u64) -> [f64; D] {
     let at = index as f64;
     const { steps::<D>() }.map(|step| {
         let place = 0.5 + at * step;
-        // Its part after the point, without a call.
+        // Its fraction; `fract` calls a function of the library.
         place - (place as i64) as f64
     })
 }
 
-/// a_d.
+/// Steps a_d of the dimensions.
 const fn steps<const D: usize>() -> [f64; D] {
     let (mut steps, mut d) = ([1.0 / ROOTS[D - 1]; D], 1);
     while d < D {

@@ -63,7 +63,7 @@ impl TransportChoice {
     fn by_price<'a>(scene: &Scene, options: &Options, visibility: impl FnOnce() -> &'a Visibility) -> Self {
         let usual = usual_rays(scene.surfaces.len(), USUAL_ACCURACY) as f64;
         let finer = (USUAL_ACCURACY / options.accuracy().shadow_eps).max(1.0);
-        let limit = AS_GOOD.max(options.finer_rays as f64) * finer * usual;
+        let limit = AS_GOOD * finer * usual;
         let (price, about) = match exact_price_at_least(scene) {
             price if price > limit => (price, "more than"),
             _ => (exact_price(scene, options, visibility()), "about"),

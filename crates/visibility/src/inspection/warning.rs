@@ -38,11 +38,11 @@ impl Warning {
     }
 }
 
-/// A cure by keys of scene files, which files of other programs do not have.
+/// A cure by keys of scene files, which most files of other programs do not have.
 pub(super) fn by_keys(scene: &Scene, cure: &str) -> String {
     match scene.imported() {
         None => cure.to_owned(),
-        Some(own) => format!("{cure}, in the scene converted to .toml, as {} has no such key", own.format),
+        Some(_) => format!("{cure}, in the scene converted to .toml"),
     }
 }
 
