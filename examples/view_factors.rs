@@ -44,6 +44,6 @@ fn main() -> Result<(), Box<dyn Error>> {
     }
     // What is missing from 1 leaves between the plates.
     println!("sums of rows: {:.4?}", factors.row_sums());
-    println!("reached: {:.0e}", factors.accuracy_reached);
+    println!("left in blocks: {:.0e}", factors.left_in_blocks);
     Ok(())
 }

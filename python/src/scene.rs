@@ -7,7 +7,6 @@ use numpy::ndarray::arr2;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use radiosity::geom::DVec3;
-use radiosity::photometry::files::Reach;
 use radiosity::reading::probe::Probe;
 use radiosity::request::SceneRequest;
 use radiosity::request::ranges::{Finite, Length, Number};

@@ -43,6 +43,11 @@ struct Side {
 }
 
 impl Side {
+    /// A black side of no sheet, in the plane x_axis = `at`, that faces along the axis or against it.
+    fn new(name: String, axis: usize, at: f64, ranges: [[f64; 2]; 2], is_along: bool, known: Known) -> Self {
+        Self { name, axis, at, ranges, is_along, emissivity: 1.0, known, of_sheet: None }
+    }
+
     fn area(&self) -> f64 {
         self.ranges.iter().map(|range| range[1] - range[0]).product()
     }
@@ -104,7 +109,8 @@ impl Enclosure {
             let (axis, is_along) = (face / 2, face % 2 == 0);
             let at = if is_along { 0.0 } else { size[axis] };
             let known = if own.sides.is_empty() { Known::Kelvin(700.0) } else { condition(&mut random) };
-            own.add(format!("wall-{face}"), axis, at, whole(axis), is_along, known, &mut random);
+            let name = format!("wall-{face}");
+            own.add(Side::new(name, axis, at, whole(axis), is_along, known), &mut random);
             own.write(own.sides.len() - 1, "");
         }
         let axis = random.below(3);
@@ -117,26 +123,16 @@ impl Enclosure {
         own
     }
 
-    #[allow(clippy::too_many_arguments)]
-    fn add(
-        &mut self,
-        name: String,
-        axis: usize,
-        at: f64,
-        ranges: [[f64; 2]; 2],
-        is_along: bool,
-        known: Known,
-        random: &mut Random,
-    ) {
-        let emissivity = random.pick(&[0.1, 0.3, 0.6, 0.9, 1.0]);
-        self.sides.push(Side { name, axis, at, ranges, is_along, emissivity, known, of_sheet: None });
+    /// Adds a side of a random emissivity.
+    fn add(&mut self, side: Side, random: &mut Random) {
+        self.sides.push(Side { emissivity: random.pick(&[0.1, 0.3, 0.6, 0.9, 1.0]), ..side });
     }
 
     /// A plate of one side whose back is adiabatic, as warm as its front or of its own temperature; or a sheet.
     fn plate(&mut self, name: &str, axis: usize, at: f64, ranges: [[f64; 2]; 2], random: &mut Random) {
         let front = self.sides.len();
         let kelvin = Known::Kelvin(random.between(300.0, 900.0));
-        self.add(name.to_owned(), axis, at, ranges, random.below(2) == 0, kelvin, random);
+        self.add(Side::new(name.to_owned(), axis, at, ranges, random.below(2) == 0, kelvin), random);
         let mut back = Side { name: format!("{name}:back"), ..self.sides[front].clone() };
         back.is_along = !back.is_along;
         let keys = match random.below(4) {
@@ -270,7 +266,6 @@ fn look(seeds: std::ops::Range<u64>, most: f64) {
             }
         }
     }
-    println!("{} of {sides} sides are off", off.len());
     assert!(off.len() as f64 <= most * f64::from(sides), "{}", off.join("\n"));
 }
 

@@ -153,7 +153,7 @@ mod tests {
     fn what_is_left_out_stays_white_and_isolines_end_there() {
         let plane = SensorPlane::new("l", DVec3::ZERO, [6.0 * DVec3::X, 6.0 * DVec3::Y], [0.5, 0.5]).unwrap();
         let is_left_out = |place: DVec3| place.x > 3.0 && place.y > 3.0;
-        let value = |sensor: DVec3| (!is_left_out(sensor)).then(|| 100.0 + 20.0 * sensor.x);
+        let value = |sensor: DVec3| (!is_left_out(sensor)).then_some(100.0 + 20.0 * sensor.x);
         let values: Vec<Option<f64>> = plane.sensors().map(value).collect();
         let field = Plan::new(&plane, &values).field();
         let share = field.pixels().map(|(_, part)| part).sum::<f64>() / field.pixels().count() as f64;

@@ -206,8 +206,8 @@ fn checked(how: &Discretization) -> Result<&Discretization, SolutionFault> {
 
 /// Refuses coefficients that no light of the scene makes: reading off them would not end.
 fn check_sizes(saved: &[SavedElement], emitted: f64) -> Result<(), SolutionFault> {
-    let is_huge = |own: &SavedElement| !(own.largest() <= MOST_LIGHT * emitted / own.area().sqrt());
-    match saved.iter().position(is_huge) {
+    let is_usual = |own: &SavedElement| own.largest() <= MOST_LIGHT * emitted / own.area().sqrt();
+    match saved.iter().position(|own| !is_usual(own)) {
         None => Ok(()),
         Some(index) => Err(SolutionFault::Element { index, what: Mismatch("the size of the coefficients") }),
     }
