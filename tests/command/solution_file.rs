@@ -11,7 +11,7 @@ use radiosity::solve::solved::Solved;
 use radiosity::solve::studies::adaptation::{Aim, Goal};
 use radiosity_test_support::folders::folder;
 use radiosity_test_support::scenes::{builtin, parsed};
-use radiosity_test_support::solved::solved_of;
+use radiosity_test_support::solved::{sealed, solved_of};
 use serde_json::{Value, json};
 
 use crate::program::{self, done};
@@ -110,7 +110,7 @@ fn refined_elements_are_read_as_they_were() {
     assert_eq!(text_of(&again), text);
     let mut file: Value = serde_json::from_str(&text).unwrap();
     file["mesh"][0] = json!({ "cut": { "across": "u", "at": 3.0, "parts": [{ "leaf": 2 }, { "leaf": 2 }] } });
-    let message = read(&Source::new("a.json", &sealed(&file))).unwrap_err().to_string();
+    let message = read(&Source::new("a.json", &sealed(&file.to_string()))).unwrap_err().to_string();
     assert!(message.contains("the mesh"), "{message}");
 }
 
@@ -141,17 +141,11 @@ fn a_reader_needs_nothing_but_the_file_to_evaluate_it() {
     assert!((value - known).abs() < 1e-12 * known.abs(), "{value} {known}");
 }
 
-/// The text of a file whose tree was changed, with the checksum of what it says, as far as it is one.
-fn sealed(file: &Value) -> String {
-    let parsed = serde_json::from_value::<SolutionFile>(file.clone()).ok();
-    parsed.map_or_else(|| file.to_string(), |file| serde_json::to_string(&file.sealed()).unwrap())
-}
-
 /// The message about a file whose tree was changed, by one who wrote its checksum anew.
 fn refused(change: impl Fn(&mut Value)) -> String {
     let mut file: Value = serde_json::from_str(&text_of(&solved())).unwrap();
     change(&mut file);
-    read(&Source::new("a.json", &sealed(&file))).unwrap_err().to_string()
+    read(&Source::new("a.json", &sealed(&file.to_string()))).unwrap_err().to_string()
 }
 
 #[test]

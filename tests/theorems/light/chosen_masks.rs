@@ -13,7 +13,7 @@ use radiosity::solve::{Direct, Failure, Options, solve};
 use radiosity_geom::DVec3;
 use radiosity_geom::shapes::Parallelogram;
 use radiosity_test_support::scenes::{builtin, typed};
-use radiosity_test_support::solved::{outcome_of, solved_of};
+use radiosity_test_support::solved::{outcome_of, sealed, solved_of};
 
 fn masked() -> Options {
     Options { order: 6, subdivide: Some(1), masks: Some(Masking::default()), ..Options::default() }
@@ -231,7 +231,8 @@ fn masks_are_kept_with_the_solution() {
     assert_eq!(light(&again), light(&solved));
     let mut older = file;
     older.as_object_mut().expect("a table").remove("masked");
-    let refused = read(&Source::new("a.json", &older.to_string())).expect_err("its masks are missing");
+    let refused =
+        read(&Source::new("a.json", &sealed(&older.to_string()))).expect_err("its masks are missing");
     assert!(refused.to_string().contains("does not hold its shadow masks"), "{refused}");
     assert!(refused.cure().contains("solve the scene again"));
 }
