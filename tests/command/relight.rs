@@ -3,6 +3,7 @@
 use std::fs;
 
 use radiosity_test_support::folders::{self, json};
+use radiosity_test_support::solved::sealed;
 use serde_json::Value;
 
 use crate::program::{done, radiosity, refused};
@@ -132,12 +133,12 @@ fn changed_light_of_a_group_is_refused() {
     let here = folder.path();
     let mut file = json(&here.join("room.json"));
     file["elements"][0]["orthonormal"]["groups"][1]["irradiance"][0][0] = 1e3.into();
-    fs::write(here.join("changed.json"), file.to_string()).unwrap();
+    fs::write(here.join("changed.json"), sealed(&file.to_string())).unwrap();
     let output = radiosity(here, &["grid", "changed.json"]);
     let told = String::from_utf8_lossy(&output.stderr);
     assert!(output.status.code() == Some(2) && told.contains("element 0: the light of its groups"), "{told}");
     file["groups"] = serde_json::json!([]);
-    fs::write(here.join("changed.json"), file.to_string()).unwrap();
+    fs::write(here.join("changed.json"), sealed(&file.to_string())).unwrap();
     let output = radiosity(here, &["grid", "changed.json"]);
     let told = String::from_utf8_lossy(&output.stderr);
     assert!(output.status.code() == Some(2) && told.contains("the list of light groups"), "{told}");

@@ -21,8 +21,8 @@ impl Heat {
     /// Makes the errors of a balance of `scene` true by what a referee finds at these surfaces.
     ///
     /// # Errors
-    /// Heat that cannot be read by walks: nothing is changed. Surfaces from which no walk ends: what is told follows from
-    /// the others.
+    /// Heat that cannot be read by walks: nothing is changed. Surfaces from which no walk ends: what is told follows
+    /// from the others.
     pub fn check(
         &mut self,
         scene: &Scene,

@@ -1,8 +1,8 @@
 //! Files of luminaires, and the words that all readers of files share: places, faults, refusals, notes.
 //!
-//! In order: `file_place`, `note`, `error`, `files` (that a scene names), `text` and `numbers` (reading), `symmetry`,
-//! `opening` and `web` (intensities by direction), `ies` and `eulumdat` (the formats) and `luminaire` (either). Imports no other
-//! crate of the workspace.
+//! In order: `file_place`, `note`, `error`, `files` (that a scene names), `text` and `numbers` (reading),
+//! `symmetry`, `opening` and `web` (intensities by direction), `ies` and `eulumdat` (the formats) and
+//! `luminaire` (either). Imports no other crate of the workspace.
 //!
 //! Photometry of luminaires: luminous intensity by direction, as tables of makers state it.
 //!

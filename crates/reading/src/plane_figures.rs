@@ -118,12 +118,12 @@ pub fn is_in_room(readings: &[ProbeReading]) -> Vec<bool> {
     if inside.contains(&true) { inside } else { vec![true; readings.len()] }
 }
 
-/// Which of some readings lie outside of the room or in a solid: they get no light, and meet backs of surfaces in at
-/// least as many directions as fronts. Backs alone do not tell: behind a panel of one side a room is lit.
+/// Which of some readings lie outside of the room or in a solid: they get no light, and meet no front of a surface, or
+/// backs in at least as many directions. Backs alone do not tell: behind a panel of one side a room is lit.
 fn is_outside(readings: &[ProbeReading]) -> Vec<bool> {
     let is_dark = is_dark(readings.iter());
-    let meets_backs = |own: &Surroundings| own.backs > 0 && own.backs >= own.fronts;
-    readings.iter().map(|reading| is_dark(reading) && meets_backs(&reading.surroundings)).collect()
+    let is_behind = |own: &Surroundings| own.backs >= own.fronts;
+    readings.iter().map(|reading| is_dark(reading) && is_behind(&reading.surroundings)).collect()
 }
 
 /// A warning of points outside of the room or in solids.

@@ -21,22 +21,21 @@ pub struct Surroundings {
 }
 
 impl Visibility {
-    /// The surroundings of `point`; of one on the front of a surface with this unit normal, in the half of the
-    /// directions before that.
+    /// The surroundings of `point`; one on the front of a surface with this unit normal meets that front in the half of
+    /// the directions behind it.
     pub fn surroundings(&self, point: DVec3, on: Option<(usize, DVec3)>) -> Surroundings {
         let mut found = Surroundings::default();
-        let directions = (0..DIRECTIONS).map(direction);
-        for direction in directions.filter(|own| on.is_none_or(|(_, normal)| own.dot(normal) > 0.0)) {
-            let met = match on {
-                Some((surface, _)) => self.nearest_from(surface, point, direction),
-                None => self.nearest(&Ray::new(point, direction)),
+        for direction in (0..DIRECTIONS).map(direction) {
+            let front = match on {
+                Some((_, normal)) if direction.dot(normal) <= 0.0 => Some(true),
+                Some((surface, _)) => self.nearest_from(surface, point, direction).map(|met| met.front),
+                None => self.nearest(&Ray::new(point, direction)).map(|met| met.front),
             };
-            let count = match met {
-                Some(met) if met.front => &mut found.fronts,
-                Some(_) => &mut found.backs,
-                None => continue,
-            };
-            *count += 1;
+            match front {
+                Some(true) => found.fronts += 1,
+                Some(false) => found.backs += 1,
+                None => (),
+            }
         }
         found
     }

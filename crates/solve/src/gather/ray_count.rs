@@ -4,10 +4,11 @@
 /// Cornell box.
 const ROUGHNESS: f64 = 1.5;
 
-/// Most rays over their expected number, for a point that is read alone, and for one of the many of a picture or a
-/// grid; never more than [`MOST`] are sent: some ten seconds, which is chosen, as the latter is. Measured at points of eight
-/// random rooms with lampshades of paper: with 16 and 64 they erred by 3.2 to 6.1 % and 1.3 to 4.7 % (L2), the noise of
-/// what is right of 1 to 3 % among it, after .7 to 1.0 and 1.2 to 2.1 s.
+/// Most rays over their expected number, for a point that is read alone, and for one of the many of a picture
+/// or a grid; never more than [`MOST`] are sent: some ten seconds, which is chosen, as the latter is.
+/// Measured at points of eight random rooms with lampshades of paper: with 16 and 64 they erred by 3.2 to 6.1
+/// % and 1.3 to 4.7 % (L2), the noise of what is right of 1 to 3 % among it, after .7 to 1.0 and 1.2 to 2.1
+/// s.
 pub(super) const PATIENCE: f64 = 64.0;
 pub(super) const PATIENCE_OF_MANY: f64 = 16.0;
 const MOST: f64 = 1.6e7;
