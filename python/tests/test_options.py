@@ -13,8 +13,8 @@ from radiosity import options
 RENAMED = {"for": "aim", "from": "format"}
 
 # Results are arrays here: how they are written, shown and told is Python's own; `set` is an argument of `load`. Only the command records
-# what it does.
-OUTPUT = {"help", "version", "output", "format", "report", "quiet", "verbose", "set", "checkpoint", "resume"}
+# what it does, and reads files outside the folder of a scene.
+OUTPUT = {"help", "version", "output", "format", "report", "quiet", "verbose", "set", "checkpoint", "resume", "inside"}
 STYLE = {"show", "size", "range", "band", "log", "isolines"}
 
 SCENE = set(options.Import.__annotations__)

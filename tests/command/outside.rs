@@ -43,8 +43,8 @@ fn scenes() -> Vec<(&'static str, String, &'static str, &'static str, Vec<u8>)> 
             "../lib/a.toml",
             text(white),
         ),
-        ("b.toml", format!("{lamp}{white}{FLOOR}"), "photometry: ", "../lib/lamp.ies", text(TABLE)),
-        ("c.toml", format!("{grain}{FLOOR}"), "image: ", "../lib/a.png", texels),
+        ("b.toml", format!("{lamp}{white}{FLOOR}"), "photometry = ", "../lib/lamp.ies", text(TABLE)),
+        ("c.toml", format!("{grain}{FLOOR}"), "image = ", "../lib/a.png", texels),
         ("a.obj", obj.to_owned(), "mtllib '", "../lib/a.mtl", text("newmtl white\nKd 0.5 0.5 0.5\n")),
         (
             "a.mgf",

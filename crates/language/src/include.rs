@@ -88,16 +88,14 @@ impl NamedFiles<'_> {
             self.include(&name, path)?;
         }
         let from = path.last().map_or("", String::as_str);
-        let at =
-            |name: &At<String>, key: &str, fault| Located::at(&name.span, fault).within(|| key.to_owned());
         for name in photometric_files(&tree) {
             let file = beside(from, &name.value);
             let read = self.text(&file, &name.value, input::western);
-            read.map_err(|fault| at(&name, PHOTOMETRY, fault))?;
+            read.map_err(|fault| Located::at(&name.span, fault))?;
         }
         for name in pictures(&tree) {
             let file = beside(from, &name.value);
-            self.picture(&file, &name.value).map_err(|fault| at(&name, IMAGE, fault))?;
+            self.picture(&file, &name.value).map_err(|fault| Located::at(&name.span, fault))?;
         }
         self.trees.push(FileTree { tree, prefix });
         Ok(())
