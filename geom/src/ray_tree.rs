@@ -223,8 +223,7 @@ impl<'a> Search<'a> {
     fn nearest(&mut self) -> Option<Encounter> {
         self.walk();
         let best = self.best?;
-        let normal = best.front.is_none().then(|| self.normal(&best));
-        let front = best.front.unwrap_or_else(|| normal.is_some_and(|normal| self.comes_from_before(normal)));
+        let (front, normal) = self.side(&best);
         Some(Encounter { surface: best.surface, hit: best.hit, front, normal })
     }
 
@@ -340,11 +339,18 @@ impl<'a> Search<'a> {
     }
 
     fn is_front(&self, best: &Best) -> bool {
-        best.front.unwrap_or_else(|| self.comes_from_before(self.normal(best)))
+        self.side(best).0
     }
 
-    fn comes_from_before(&self, normal: DVec3) -> bool {
-        normal.dot(self.ray.direction) < 0.0
+    /// Whether the ray comes from before a hit, and the normal where that tells it.
+    fn side(&self, best: &Best) -> (bool, Option<DVec3>) {
+        match best.front {
+            Some(front) => (front, None),
+            None => {
+                let normal = self.normal(best);
+                (normal.dot(self.ray.direction) < 0.0, Some(normal))
+            }
+        }
     }
 
     fn is_own(&self, surface: usize) -> bool {

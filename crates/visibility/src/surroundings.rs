@@ -25,7 +25,7 @@ impl Visibility {
     /// the directions behind it.
     pub fn surroundings(&self, point: DVec3, on: Option<(usize, DVec3)>) -> Surroundings {
         let mut found = Surroundings::default();
-        for direction in (0..DIRECTIONS).map(direction) {
+        for direction in (0..DIRECTIONS).map(|place| golden_spiral::direction(place, DIRECTIONS)) {
             let front = match on {
                 Some((_, normal)) if direction.dot(normal) <= 0.0 => Some(true),
                 Some((surface, _)) => self.nearest_from(surface, point, direction).map(|met| met.front),
@@ -39,12 +39,4 @@ impl Visibility {
         }
         found
     }
-}
-
-/// A direction of [`DIRECTIONS`] evenly over the sphere, along a golden spiral.
-fn direction(place: usize) -> DVec3 {
-    let height = 1.0 - (2 * place + 1) as f64 / DIRECTIONS as f64;
-    let (sine, cosine) = golden_spiral::turn(place);
-    let broad = (1.0 - height * height).sqrt();
-    DVec3::new(broad * cosine, broad * sine, height)
 }

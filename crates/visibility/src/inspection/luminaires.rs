@@ -10,7 +10,7 @@ use crate::tolerances::OWN_END;
 use crate::{Shadows, Visibility, golden_spiral};
 
 /// Rays all around a luminaire that look for a front that it lights, before rays to each surface do.
-const RAYS: u32 = 256;
+const RAYS: usize = 256;
 
 /// Units of illuminance, in which the light of tables comes out.
 const ILLUMINANCE: [&str; 4] = ["lx", "lux", "lm/m²", "lm/m^2"];
@@ -106,7 +106,7 @@ fn places(shape: &dyn Surface) -> Vec<DVec3> {
 
 /// The aim of a luminaire, and directions all around it.
 fn around(own: &Luminaire) -> impl Iterator<Item = DVec3> {
-    [own.aim].into_iter().chain((0..RAYS).map(direction))
+    [own.aim].into_iter().chain((0..RAYS).map(|place| golden_spiral::direction(place, RAYS)))
 }
 
 /// First hits of rays of a luminaire's light in these directions, beyond the surface that it may be mounted on.
@@ -121,14 +121,6 @@ fn lit(
         let ray = Ray { range: [start, f64::INFINITY], ..Ray::new(own.position, direction) };
         visibility.nearest(&ray)
     })
-}
-
-/// Unit vector number `index` of [`RAYS`] that are spread evenly, along a golden spiral.
-fn direction(index: u32) -> DVec3 {
-    let z = 1.0 - (2 * index + 1) as f64 / f64::from(RAYS);
-    let (sin, cos) = golden_spiral::turn(index as usize);
-    let across = (1.0 - z * z).sqrt();
-    DVec3::new(across * cos, across * sin, z)
 }
 
 /// Warnings about the table of a luminaire, and about an extent that leaves out the height of its opening.
