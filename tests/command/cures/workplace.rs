@@ -105,6 +105,14 @@ heat_flux = -9
 quad = { vertices = [[0, 0, 1], [0, 1, 1], [1, 1, 1], [1, 0, 1]] }
 "#;
 
+/// A floor whose paint stands outside its folder.
+const FLOOR: &str = r#"include = ["../paint.toml"]
+[[surfaces]]
+name = "floor"
+material = "white"
+quad = { vertices = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]] }
+"#;
+
 const EVEN: &str = r#"{"materials": {"a": {"reflectance": 0.5, "emission": 1}}, "surfaces": [{"name": "s", "material": "a",
 "quad": {"vertices": [[0,0,0],[1,0,0],[1,1,0],[0,1,0]]}}]}"#;
 
@@ -212,6 +220,9 @@ fn scenes() -> Vec<(&'static str, String)> {
         ("broken.toml", "bands = 3\n".to_owned()),
         ("far/outside.toml", "include = [\"../room.toml\"]\n".to_owned()),
         ("far/inner.toml", "include = [\"../broken.toml\"]\n".to_owned()),
+        ("paint.toml", "[materials.white]\nreflectance = 0.5\nemission = 1\n".to_owned()),
+        ("far/known.toml", FLOOR.to_owned()),
+        ("far/unknown.toml", with(FLOOR, "\"white\"", "\"whit\"")),
         ("even.json", EVEN.to_owned()),
         ("odd.json", "{\"surfaces\": [{]}".to_owned()),
         ("twice.json", "{\"title\": \"a\", \"title\": \"b\"}".to_owned()),

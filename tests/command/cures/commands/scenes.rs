@@ -149,4 +149,9 @@ pub(super) const ROWS: &[Typed] = &[
             "help: look at that place in the file",
         ],
     },
+    Typed {
+        bad: "check far/unknown.toml",
+        cured: "check far/known.toml",
+        told: &["unknown material \"whit\"", "help: correct the name; names are not listed"],
+    },
 ];
