@@ -5,11 +5,10 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use radiosity::heat as library;
 use radiosity::heat::SurfaceHeat;
+use radiosity::heat::remarks::{adiabatic_backs, light_without_heat, without_level};
+use radiosity::heat::remarks::{corrected, heat_unchecked, heat_underestimated, no_error_of_cut};
 use radiosity::kernel::WorstError;
-use radiosity::reading::accuracy_warning::{
-    corrected, heat_unchecked, heat_underestimated, missed, no_error_of_cut,
-};
-use radiosity::reading::heat_remarks::{adiabatic_backs, light_without_heat, without_level};
+use radiosity::reading::accuracy_warning::missed;
 use radiosity::request::{CheckRequest, HeatRequest, TransferRequest};
 use radiosity::work::Work;
 use radiosity::work::ranks::Ranks;

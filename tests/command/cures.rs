@@ -2,16 +2,23 @@
 //! changed as the cure says, which draws no message.
 
 mod warnings;
-mod faults;
+mod scenes;
+mod files;
+mod workplace;
 mod commands;
 mod runs;
+mod literals;
+mod messages;
+mod untried;
+mod coverage;
 
 use std::collections::BTreeSet;
-use std::path::Path;
 
 use radiosity_test_support::folders::folder;
+use serde_json::Value;
 
 use crate::program::{self, assert_refused, radiosity};
+use workplace::typed;
 
 /// A part of [`ROOM`], what stands in its place, wrongly and cured, and parts of the message.
 struct Row {
@@ -19,6 +26,19 @@ struct Row {
     bad: &'static str,
     cured: &'static str,
     told: &'static [&'static str],
+}
+
+/// A file that rows change, and the scene that is checked with it.
+struct Changed {
+    /// The scene that `check` reads.
+    scene: &'static str,
+    /// The file that rows change.
+    changed: &'static str,
+    /// Arguments of `check` behind the scene.
+    arguments: &'static [&'static str],
+    /// Names and texts of all files, which are right.
+    files: &'static [(&'static str, &'static str)],
+    rows: &'static [Row],
 }
 
 /// A command as it is typed, wrongly and cured, and parts of the message.
@@ -73,9 +93,40 @@ box = { origin = [0, 0, 0], size = [1, 1, 1], inward = true }
 "#;
 
 impl Row {
+    /// The right `text` with `new` in place of the part.
+    fn put(&self, text: &str, new: &str) -> String {
+        assert!(text.contains(self.part), "{:?} is no part of\n{text}", self.part);
+        text.replacen(self.part, new, 1)
+    }
+
     fn with(&self, text: &str) -> String {
-        assert!(ROOM.contains(self.part), "{:?} is no part of the room", self.part);
-        ROOM.replacen(self.part, text, 1)
+        self.put(ROOM, text)
+    }
+}
+
+impl Changed {
+    /// The outcome of `check` where `put` changes the text of the file.
+    fn checked(&self, put: impl Fn(&str) -> String, more: &[&str]) -> std::process::Output {
+        let change = |name: &str, text: &str| if name == self.changed { put(text) } else { text.to_owned() };
+        let files: Vec<(&str, String)> =
+            self.files.iter().map(|(name, text)| (*name, change(name, text))).collect();
+        let folder = folder(&files);
+        radiosity(folder.path(), &[&["check", self.scene], self.arguments, more].concat())
+    }
+
+    fn refused(&self, row: &Row) -> std::process::Output {
+        self.checked(|text| row.put(text, row.bad), &[])
+    }
+
+    /// Kinds of warnings, and what is told of the import.
+    #[track_caller]
+    fn findings(&self, put: impl Fn(&str) -> String) -> BTreeSet<String> {
+        let [found, _] = program::succeeded(self.checked(put, &["--format", "json"]));
+        let found: Value = serde_json::from_str(&found).expect("JSON");
+        let list = |value: &Value| value.as_array().cloned().unwrap_or_default();
+        let warnings = list(&found["warnings"]).into_iter().map(|warning| warning["code"].to_string());
+        let remarks = list(&found["imported"]["remarks"]).into_iter().map(|remark| remark.to_string());
+        warnings.chain(remarks).collect()
     }
 }
 
@@ -103,36 +154,30 @@ fn what_is_warned_of_is_cured_as_the_warning_says() {
 
 #[test]
 fn faults_of_scenes_are_cured_as_the_message_says() {
-    for row in faults::ROWS {
+    for row in scenes::ROWS.iter().copied().flatten() {
         let folder = folder(&[("room.toml", &row.with(row.bad))]);
         assert_refused(&radiosity(folder.path(), &["check", "room.toml"]), row.told);
         assert_clean(&row.with(row.cured));
     }
 }
 
-/// Output of a command, which is typed without quotes.
-fn typed(folder: &Path, line: &str) -> std::process::Output {
-    radiosity(folder, &line.split(' ').collect::<Vec<_>>())
-}
-
-/// A folder with what the commands name.
-fn files() -> tempfile::TempDir {
-    folder(&[
-        ("room.toml", CUBE),
-        ("hung.toml", ROOM),
-        ("warm.toml", &CUBE.replace("emission = 1", "temperature = 300")),
-        ("points.csv", "0.5,0.5,0.5,0,0,1\n"),
-        ("far.csv", "0.5,0.5,0.5,0,0,1\n9,0,0,0,0,1\n"),
-        ("scene.dxf", "0\n"),
-        ("scene.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"),
-    ])
+#[test]
+fn faults_of_files_are_cured_as_the_message_says() {
+    for file in files::CHANGED {
+        let usual = file.findings(str::to_owned);
+        for row in file.rows {
+            assert_refused(&file.refused(row), row.told);
+            let found = file.findings(|text| row.put(text, row.cured));
+            assert!(found.is_subset(&usual), "{}: {:?}: {found:?} beyond {usual:?}", file.scene, row.cured);
+        }
+    }
 }
 
 /// Runs the cured commands, of which many are one, and finds no warning.
 #[track_caller]
-fn assert_cured(rows: &[Typed]) {
-    let folder = files();
-    let cured: BTreeSet<&str> = rows.iter().map(|row| row.cured).collect();
+fn assert_cured<'a>(rows: impl IntoIterator<Item = &'a Typed>) {
+    let folder = workplace::files();
+    let cured: BTreeSet<&str> = rows.into_iter().map(|row| row.cured).collect();
     for line in cured {
         let output = typed(folder.path(), line);
         let told = String::from_utf8_lossy(&output.stderr);
@@ -142,16 +187,17 @@ fn assert_cured(rows: &[Typed]) {
 
 #[test]
 fn commands_that_are_refused_are_cured_as_the_message_says() {
-    let folder = files();
-    for row in commands::ROWS {
+    let folder = workplace::files();
+    let rows = || commands::ROWS.iter().copied().flatten();
+    for row in rows() {
         assert_refused(&typed(folder.path(), row.bad), row.told);
     }
-    assert_cured(commands::ROWS);
+    assert_cured(rows());
 }
 
 #[test]
 fn what_runs_warn_of_is_cured_as_the_warning_says() {
-    let folder = files();
+    let folder = workplace::files();
     for row in runs::ROWS {
         let output = typed(folder.path(), row.bad);
         let told = String::from_utf8_lossy(&output.stderr);
@@ -176,6 +222,42 @@ fn what_is_right_is_not_to_be_turned_over() {
         let [found, _] = program::done(folder.path(), &["check", "room.toml"]);
         assert!(!found.contains("flip"), "{found}");
     }
+}
+
+/// Walls and a roof whose fronts are outside, open below: they see no front, and would see none turned over.
+#[test]
+fn a_house_without_a_floor_is_not_to_be_turned_over() {
+    let house = "title = \"house\"\nbands = [\"grey\"]\n[camera]\neye = [9, 9, 2]\ntarget = [0, 0, 1]\n\
+                 [materials.white]\nreflectance = 0.5\nemission = 1\n[[surfaces]]\nname = \"house\"\nmaterial = \"white\"\n\
+                 box = { origin = [0, 0, 0], size = [2, 2, 2], open = [\"bottom\"] }\n";
+    assert_clean(house);
+}
+
+/// A pane before a whole wall has that wall behind it, not outside; an eave that shades it is outside.
+#[test]
+fn the_wall_behind_a_pane_is_not_outside() {
+    let pane = "[sky]\nmodel = \"uniform\"\nilluminance = 100\n[[surfaces]]\nname = \"pane\"\nmaterial = \"white\"\n\
+                opening = true\nquad = { vertices = [[-1, -2.95, 1], [-1, -2.95, 2], [1, -2.95, 2], [1, -2.95, 1]] }\n";
+    let room = format!("{ROOM}{pane}");
+    let checked = |room: &str| {
+        let folder = folder(&[("room.toml", room)]);
+        program::done(folder.path(), &["check", "room.toml"])[0].clone()
+    };
+    let found = checked(&room);
+    assert!(!found.contains("outside before it"), "{found}");
+    // A wall as far off as the pane is wide stands outside.
+    let far = room.replace("-2.95", "-1.5");
+    assert!(checked(&far).contains("outside before it"), "{}", checked(&far));
+}
+
+/// A lone point in a solid, where light is rounding, is warned of.
+#[test]
+fn a_lone_point_in_a_solid_is_warned_of() {
+    let solid = "[[surfaces]]\nname = \"solid\"\nmaterial = \"white\"\nbox = { origin = [0, 0, 0.5], size = [1, 1, 1] }\n";
+    let files = [("room.toml", format!("{ROOM}{solid}")), ("point.csv", "0.5,0.5,1,0,0,1\n".to_owned())];
+    let folder = folder(&files);
+    let [_, told] = program::done(folder.path(), &["probe", "room.toml", "--points", "point.csv"]);
+    assert!(told.contains("1 of the 1 points lie outside of the room or in solids: move them"), "{told}");
 }
 
 /// Keys that cures name are those of scene files: a file of another program is cured once it is converted.

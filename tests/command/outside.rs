@@ -129,3 +129,45 @@ fn what_stands_outside_is_not_shown() {
         }
     }
 }
+
+/// Notes on an import and lists of names show no word of a file outside, nor do they where all is read.
+#[test]
+fn notes_and_lists_of_names_show_no_word_of_files_outside() {
+    let disk = "<shape type=\"disk\"/>";
+    let scene = format!("<scene version=\"3.0.0\"><include filename=\"../lib/a.xml\"/>{disk}</scene>");
+    let part = format!("<scene version=\"3.0.0\"><shape type=\"disk\" {SECRET}=\"1\"/></scene>");
+    let house = house("a.xml", &scene, "../lib/a.xml", part.as_bytes());
+    let room = house.path().join("room");
+    let [found, _] = done(&room, &["check", "a.xml"]);
+    assert!(found.contains("the attribute … of <shape> is left out") && !found.contains(SECRET), "{found}");
+    let named = format!("[materials.{SECRET}]\nreflectance = 0.5\n");
+    let near = SECRET.replace("scenes", "scene");
+    for material in [near.as_str(), "far"] {
+        let floor = FLOOR.replace("white", material);
+        let house = self::house(
+            "a.toml",
+            &format!("include = \"../lib/a.toml\"\n{floor}"),
+            "../lib/a.toml",
+            named.as_bytes(),
+        );
+        let room = house.path().join("room");
+        let parts = [
+            "unknown material",
+            "names are not listed, as some are of files outside the folder of the scene",
+        ];
+        refused(&room, &["check", "a.toml"], &parts);
+        assert!(!told(&room, &["check", "a.toml"]).contains(SECRET));
+    }
+}
+
+#[test]
+fn reports_list_the_files_outside() {
+    let white = "[materials.white]\nreflectance = 0.5\nemission = 1\n";
+    let scene = format!("include = \"../lib/a.toml\"\n{FLOOR}");
+    let house = house("a.toml", &scene, "../lib/a.toml", white.as_bytes());
+    let room = house.path().join("room");
+    done(&room, &["solve", "a.toml", "-o", "a.json", "--report", "r.json"]);
+    let report = std::fs::read_to_string(room.join("r.json")).expect("a report");
+    let report: serde_json::Value = serde_json::from_str(&report).expect("JSON");
+    assert_eq!(report["read_outside"], serde_json::json!(["../lib/a.toml"]));
+}

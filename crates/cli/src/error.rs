@@ -194,6 +194,7 @@ impl CliError {
                 | Failure::Unmasked { .. }
                 | Failure::NotDiffuse { .. }
                 | Failure::NotEven { .. }
+                | Failure::NoMask { .. }
                 | Failure::Hierarchy(
                     HierarchyError::Luminaire { .. }
                     | HierarchyError::Opening { .. }

@@ -8,12 +8,11 @@ use std::time::Instant;
 use clap::{Args, ValueEnum};
 use radiosity_audit::{Checked, HeatFault};
 use radiosity_heat::Heat;
+use radiosity_heat::remarks::{adiabatic_backs, light_without_heat, without_level};
+use radiosity_heat::remarks::{corrected, heat_unchecked, heat_underestimated, no_error_of_cut};
 use radiosity_kernel::WorstError;
 use radiosity_output::documents::heat as output;
-use radiosity_reading::accuracy_warning::{
-    corrected, heat_unchecked, heat_underestimated, missed, no_error_of_cut,
-};
-use radiosity_reading::heat_remarks::{adiabatic_backs, light_without_heat, without_level};
+use radiosity_reading::accuracy_warning::missed;
 use radiosity_request::HeatRequest;
 use radiosity_scene::Scene;
 use radiosity_work::digits::significant;

@@ -5,10 +5,11 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use radiosity_language::Import;
+use radiosity_photometry::files::Reach;
 use radiosity_reading::files::solution_file::{is_solution, read};
 use radiosity_request::MethodRequest;
 use radiosity_request::view::{View, ViewRequest};
-use radiosity_scene::{Reach, Scene};
+use radiosity_scene::Scene;
 use radiosity_solve::Options;
 use radiosity_solve::solved::Solved;
 use radiosity_work::ranks::Ranks;

@@ -3,9 +3,9 @@
 use std::path::{Path, PathBuf};
 
 use clap::{ArgMatches, Args, Command, parser::ValueSource};
+use radiosity_photometry::files::Reach;
 use radiosity_request::ranges::Length;
 use radiosity_request::{ImportRequest, MethodRequest, SceneRequest};
-use radiosity_scene::Reach;
 use radiosity_work::ranks::Ranks;
 
 use crate::{error::CliError, numbers::number, output_file::OutputFile};

@@ -8,6 +8,7 @@
 //! Imports `core` and `geom`.
 
 pub mod tolerances;
+pub mod sides;
 pub mod coincident;
 pub mod gap;
 pub mod middle;

@@ -20,7 +20,9 @@ use radiosity_geom::{Aabb, Bvh, DVec3, SAME_AREA, touching};
 use crate::bodies::{self, Beside};
 use crate::{coincident::Occupied, gap};
 
-pub use sheet::{Sheet, are_sides_of_one};
+pub use sheet::Sheet;
+
+use crate::sides::are_sides_of_one;
 
 /// Distance by which a sheet is moved off another, in multiples of the least gap: half as much again, so that
 /// rounding of the moved corners leaves the gap above the least. Larger gaps would let more light past.

@@ -40,6 +40,21 @@ const HARMLESS: [&str; 6] = [
     "KHR_mesh_quantization",
 ];
 
+/// Beginnings of the names of extensions that are read, are noted where they stand, or change no light.
+const FOLLOWED: [&str; 11] = [
+    "KHR_materials_emissive_strength",
+    "KHR_materials_transmission",
+    "KHR_materials_pbrSpecularGlossiness",
+    "KHR_lights_punctual",
+    "EXT_mesh_gpu_instancing",
+    "KHR_mesh_quantization",
+    "KHR_texture_",
+    "EXT_texture_",
+    "MSFT_texture_",
+    "KHR_xmp",
+    "KHR_animation_pointer",
+];
+
 /// Reads a glTF or GLB of the name `file` and the buffers that it names.
 ///
 /// # Errors
@@ -61,6 +76,13 @@ fn mesh(bytes: &[u8], files: &dyn Files) -> Result<Mesh, Refusal> {
     let sides = material::add_all(&json, &root.materials, &mut mesh.model)?;
     if !root.animations.is_empty() {
         mesh.model.note("animations are left out", None);
+    }
+    if root.scenes.len() > 1 {
+        mesh.model.note("scenes of the file other than one are left out", None);
+    }
+    let is_followed = |name: &&String| FOLLOWED.iter().any(|known| name.starts_with(known));
+    for name in root.extensions_used.iter().filter(|name| !is_followed(name)) {
+        mesh.model.note(format!("the extension {} is left out", short(name)), None);
     }
     let accessors = Accessors::new(&json, &root, &buffers);
     Nodes::new(&json, &root, accessors, &sides, &mut mesh).add_scene()?;

@@ -2,6 +2,7 @@
 
 use glam::DVec3;
 use radiosity_fit::outline::WARPED;
+use radiosity_geom::area_vector;
 use radiosity_photometry::error::{Refusal, refuse};
 use radiosity_photometry::file_place::FilePlace;
 
@@ -10,6 +11,13 @@ use crate::merge;
 use crate::model::{Model, Shape, Sides, Surface};
 use crate::names::UniqueNames;
 use crate::tolerances::{GREATEST, MOST_SURFACES, MOST_VERTICES};
+
+/// Note on normals of vertices that are not those of the faces there.
+pub(crate) const ROUNDED: &str = "normals of vertices are left out: faces are flat";
+
+/// Sine of the angle between the normal of a vertex and that of a face from which on they differ. Chosen: half a
+/// degree, beyond what normals written with two digits err by.
+const ROUNDED_FROM: f64 = 1e-2;
 
 /// Object, material and sides of faces.
 #[derive(Clone, Copy, Debug)]
@@ -39,6 +47,23 @@ impl Mesh {
     pub fn object(&mut self, name: Option<&str>) -> usize {
         self.names.push(name.map(str::trim).filter(|name| !name.is_empty()).map(str::to_owned));
         self.names.len() - 1
+    }
+
+    /// Notes normals at the corners of a face that are not those of the face: light that is interpolated between
+    /// them makes flat faces look round.
+    pub(crate) fn note_rounding(
+        &mut self,
+        corners: &[DVec3],
+        normals: impl IntoIterator<Item = DVec3>,
+        place: FilePlace,
+    ) {
+        let Some(own) = area_vector(corners).try_normalize() else { return };
+        let is_other = |normal: DVec3| {
+            normal.try_normalize().is_some_and(|normal| normal.cross(own).length() > ROUNDED_FROM)
+        };
+        if normals.into_iter().any(is_other) {
+            self.model.note(ROUNDED, Some(place));
+        }
     }
 
     /// Adds a face with its corners counter-clockwise about its front. Four corners off their plane make a

@@ -49,8 +49,9 @@ pub fn read(file: &str, bytes: &[u8], files: &dyn Files) -> Result<Model, Refusa
         mesh.model.bands = ["r", "g", "b"].map(str::to_owned).to_vec();
         let known = libraries(&faces.libraries, files, &mut mesh.model)?;
         for MaterialUse { name, line } in &faces.materials {
-            add_material(&mut mesh.model, name, known.get(name), *line);
+            add_material(&mut mesh.model, name, known.get(name), *line)?;
         }
+        note_unused(&known, &faces.materials, &mut mesh.model);
         faces.add_to(&mut mesh)?;
         mesh.finish(FACES)
     };
@@ -107,7 +108,7 @@ fn libraries(
                 );
             }
             let text = decoded(&bytes).map_err(|refusal| refusal.in_file(&name))?;
-            mtl::read(&text, &mut known).map_err(|refusal| refusal.in_file(&name))?;
+            mtl::read(&text, &name, &mut known).map_err(|refusal| refusal.in_file(&name))?;
         }
     }
     if let Some((first, line)) = missing.first() {
@@ -134,9 +135,13 @@ fn bytes(names: &str, read: &HashSet<String>, files: &dyn Files) -> Vec<(String,
 }
 
 /// Adds the material of a name, as a material file describes it or not.
-fn add_material(model: &mut Model, name: &str, mtl: Option<&Mtl>, line: usize) {
+///
+/// # Errors
+/// A colour of it that is none.
+fn add_material(model: &mut Model, name: &str, mtl: Option<&Mtl>, line: usize) -> Result<(), Refusal> {
     let place = Some(FilePlace::Line(line));
     let (reflectance, emission) = match mtl {
+        Some(Mtl { fault: Some(fault), .. }) => return Err(fault.clone()),
         Some(mtl) => {
             mtl.left_out.iter().for_each(|what| model.note(what.as_str(), None));
             (mtl.reflectance(), mtl.radiance().map(|value| PI * value))
@@ -151,4 +156,23 @@ fn add_material(model: &mut Model, name: &str, mtl: Option<&Mtl>, line: usize) {
         reflectance: reflectance.to_vec(),
         emission: emission.to_vec(),
     });
+    Ok(())
+}
+
+/// Notes materials with colours that are none and that no face has.
+fn note_unused(known: &HashMap<String, Mtl>, used: &[MaterialUse], model: &mut Model) {
+    let is_used = |name: &String| used.iter().any(|own| own.name == *name);
+    let mut faulty: Vec<&String> =
+        known.iter().filter(|(_, mtl)| mtl.fault.is_some()).map(|(name, _)| name).collect();
+    faulty.retain(|name| !is_used(name));
+    faulty.sort();
+    for name in faulty {
+        model.note(
+            format!(
+                "the material '{}' is left out: it has a colour that is none, and no face has it",
+                short(name)
+            ),
+            None,
+        );
+    }
 }

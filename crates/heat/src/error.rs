@@ -1,10 +1,8 @@
 //! Why the heat of a scene has no balance.
 
 use radiosity_solve::Failure;
+use radiosity_work::listed::listed;
 use radiosity_work::wording::{Wording, option, words};
-
-/// Most names that a message spells out: a line of a terminal, about.
-const SPELT: usize = 5;
 
 /// Why the heat of a scene has no balance.
 #[derive(Debug, thiserror::Error)]
@@ -90,14 +88,5 @@ impl HeatError {
             Self::Solve(Failure::Solver { .. }) => words("take another ") + option("solver"),
             Self::Solve(_) => return None,
         })
-    }
-}
-
-/// Names of surfaces, the first ones of many.
-pub(super) fn listed(called: &[String]) -> String {
-    let spelt = called[..called.len().min(SPELT)].join(", ");
-    match called.len().saturating_sub(SPELT) {
-        0 => spelt,
-        more => format!("{spelt} and {more} more"),
     }
 }

@@ -23,7 +23,7 @@
 //! In order: [`HeatError`], `black_body`, `backs` (which of them heat reaches), `roles` (what is known of each
 //! surface), `coats` (scenes with the coatings of heat), `closure` (rows that sum to 1), `levels`, `figures` (of each
 //! surface), `field` (σ T⁴ over surfaces), `shields`, `conductances`, `cut` (elements that tell the error), `forecast`,
-//! [`Heat`], the balance, [`judging`], what a referee says of it, and `checking`, its errors made true by that.
+//! [`Heat`], the balance, [`judging`], what a referee says of it, `checking`, its errors made true by that, and [`remarks`] on both.
 //!
 //! Imports `core`, `geom`, `solvers`, `work`, `scene`, `audit`, `visibility`, `elements`, `kernel` and `solve`.
 
@@ -41,6 +41,7 @@ mod conductances;
 mod cut;
 mod forecast;
 pub mod judging;
+pub mod remarks;
 mod checking;
 
 use radiosity_audit::Checked;

@@ -1,5 +1,6 @@
 //! The role of each surface in the balance of heat.
 
+use radiosity_fit::sides::front_of;
 use std::collections::HashMap;
 
 use radiosity_scene::backs::lie_together;
@@ -176,7 +177,7 @@ fn shields(scene: &Scene) -> Vec<Shield> {
         scene.surfaces.iter().enumerate().map(|(index, own)| (own.name.as_str(), index)).collect();
     let shield = |(back, surface): (usize, &SceneSurface)| {
         let Some(Condition::HeatFlux(flux)) = surface.thermal.condition else { return None };
-        let front = *fronts.get(surface.name.strip_suffix(":back")?)?;
+        let front = *fronts.get(front_of(&surface.name)?)?;
         // A surface may be called so without being a back. Sides of other conditions are insulated from each
         // other.
         let other = &scene.surfaces[front];

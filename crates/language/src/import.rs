@@ -19,7 +19,7 @@ use radiosity_formats::{
 use radiosity_photometry::{
     error::Refusal,
     file_place::FilePlace,
-    files::{Files, Folder, NoFiles, Reach},
+    files::{Files, Folder, NoFiles, Reach, without_quotes},
     note::Note,
 };
 use radiosity_scene::{Fault, FaultKind, Imported, Notation, SceneError, Source};
@@ -80,8 +80,12 @@ impl Import {
             if file == "-" { ("<stdin>", &NoFiles) } else { (file, &folder) };
         let model = read(format, name, &bytes, files);
         let model = model.map_err(|refusal| refused(folder.discreet(refusal)))?;
-        let (model, imported) = self.repaired(model, name, format)?;
-        Ok((model, imported, folder.outside()))
+        let (model, mut imported) = self.repaired(model, name, format)?;
+        let outside = folder.outside();
+        if !outside.is_empty() {
+            imported.notes.iter_mut().for_each(|note| *note = without_quotes(note));
+        }
+        Ok((model, imported, outside))
     }
 
     /// The model in `file` with the materials, the unit and the axis that were asked for, repaired.

@@ -18,7 +18,26 @@ pub const CURE_OF_OUTSIDE: &str =
     "put a copy of it into the folder of the scene or below, and give its path from there";
 
 /// Cure of a fault in a file outside the folder of the scene, whose content messages do not show.
-pub const CURE_OF_HIDDEN: &str = "look at that place in the file, or put a copy of it into the folder of the scene to be told what it says";
+const CURE_OF_HIDDEN: &str = "look at that place in the file, or put a copy of it into the folder of the scene to be told what it says";
+
+/// Kind of a fault in a file of another program.
+pub const FOREIGN: &str = "content that cannot be followed";
+
+/// The refusal of a file outside the folder of the scene for a fault of this kind, which shows nothing of its content.
+pub fn hidden(kind: &str) -> Refusal {
+    let cause = format!("{kind}, which is not shown, as the file is outside the folder of the scene");
+    Refusal::new(cause, CURE_OF_HIDDEN)
+}
+
+/// A note on files, some of which are outside the folder of the scene, without what it quotes of them.
+pub fn without_quotes(note: &str) -> String {
+    let mut parts = note.split(['\'', '"']);
+    let mut shown = parts.next().unwrap_or_default().to_owned();
+    for (index, part) in parts.enumerate() {
+        shown += if index % 2 == 0 { "…" } else { part };
+    }
+    shown
+}
 
 /// How far a scene may reach for files.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -123,9 +142,8 @@ impl Folder {
     pub fn discreet(&self, refusal: Refusal) -> Refusal {
         match self.outside.borrow().contains(&refusal.file) {
             true => {
-                let cause = "this cannot be followed; what it says is not shown, as the file is outside the folder of \
-                             the scene";
-                Refusal { cause: cause.to_owned(), cure: CURE_OF_HIDDEN.to_owned(), ..refusal }
+                let Refusal { cause, cure, .. } = hidden(FOREIGN);
+                Refusal { cause, cure, ..refusal }
             }
             false => refusal,
         }
@@ -286,6 +304,16 @@ mod tests {
     }
 
     #[test]
+    fn notes_are_shown_without_what_they_quote() {
+        assert_eq!(
+            without_quotes("the material 'a b' of \"c\" is left out"),
+            "the material … of … is left out"
+        );
+        assert_eq!(without_quotes("points are left out"), "points are left out");
+        assert_eq!(without_quotes("'a"), "…");
+    }
+
+    #[test]
     fn a_refusal_of_a_file_outside_shows_nothing_of_it() {
         let house = house();
         let folder = Folder::of_scene(&house.path().join("room/scene.obj"), Reach::Anywhere);
@@ -295,7 +323,7 @@ mod tests {
         assert_eq!(refusal("scene.obj").cause, "'C' is no word");
         let told = refusal("../other/c");
         assert!(
-            told.to_string().starts_with("../other/c:7: this cannot be followed")
+            told.to_string().starts_with("../other/c:7: content that cannot be followed, which is not shown")
                 && !told.cause.contains('C')
         );
     }

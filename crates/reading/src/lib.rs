@@ -30,7 +30,6 @@ pub mod judging;
 pub mod judged_factors;
 pub mod checked_factors;
 pub mod accuracy_warning;
-pub mod heat_remarks;
 pub mod rank_work;
 pub mod checkpoint;
 mod masked_surfaces;

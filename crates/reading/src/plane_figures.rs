@@ -114,21 +114,22 @@ impl PlaneFigures {
 
 /// Which of some readings count in their figures: those that lie in the room, and all where none does.
 pub fn is_in_room(readings: &[ProbeReading]) -> Vec<bool> {
-    let inside: Vec<bool> = is_outside(readings).into_iter().map(|is_outside| !is_outside).collect();
+    let inside: Vec<bool> = is_outside(readings, 0.0).into_iter().map(|is_outside| !is_outside).collect();
     if inside.contains(&true) { inside } else { vec![true; readings.len()] }
 }
 
 /// Which of some readings lie outside of the room or in a solid: they get no light, and meet no front of a surface, or
-/// backs in at least as many directions. Backs alone do not tell: behind a panel of one side a room is lit.
-fn is_outside(readings: &[ProbeReading]) -> Vec<bool> {
-    let is_dark = is_dark(readings.iter());
+/// backs in at least as many directions. Backs alone do not tell: behind a panel of one side a room is lit. Readings are
+/// dark beside the brightest of them, or beside `light` (W m⁻²) where that is more.
+fn is_outside(readings: &[ProbeReading], light: f64) -> Vec<bool> {
+    let is_dark = is_dark(readings.iter(), light);
     let is_behind = |own: &Surroundings| own.backs >= own.fronts;
     readings.iter().map(|reading| is_dark(reading) && is_behind(&reading.surroundings)).collect()
 }
 
-/// A warning of points outside of the room or in solids.
-pub(crate) fn outside_points(readings: &[ProbeReading]) -> Option<Warning> {
-    let outside = is_outside(readings).into_iter().filter(|is_outside| *is_outside).count();
+/// A warning of points outside of the room or in solids, of a scene with so much light (W m⁻²): all may be there.
+pub(crate) fn outside_points(readings: &[ProbeReading], light: f64) -> Option<Warning> {
+    let outside = is_outside(readings, light).into_iter().filter(|is_outside| *is_outside).count();
     let message =
         format!("{outside} of the {} points lie outside of the room or in solids: move them", readings.len());
     (outside > 0).then(|| Warning::general("outside-points", message))
@@ -146,13 +147,16 @@ fn root_mean_square(errors: &[&f64]) -> Option<f64> {
 
 /// Number of readings without light in any band.
 fn dark(readings: &[&ProbeReading]) -> usize {
-    let is_dark = is_dark(readings.iter().copied());
+    let is_dark = is_dark(readings.iter().copied(), 0.0);
     readings.iter().filter(|reading| is_dark(reading)).count()
 }
 
-/// Whether a reading has no light in any band, beside the brightest of `readings`.
-fn is_dark<'a>(readings: impl Iterator<Item = &'a ProbeReading>) -> impl Fn(&ProbeReading) -> bool {
+/// Whether a reading has no light in any band, beside the brightest of `readings` and beside `light` (W m⁻²).
+fn is_dark<'a>(
+    readings: impl Iterator<Item = &'a ProbeReading>,
+    light: f64,
+) -> impl Fn(&ProbeReading) -> bool {
     let greatest = |reading: &ProbeReading| reading.irradiance.iter().copied().fold(0.0, f64::max);
-    let most = readings.map(greatest).fold(0.0, f64::max);
+    let most = readings.map(greatest).fold(light, f64::max);
     move |reading| greatest(reading) <= DARK * most
 }

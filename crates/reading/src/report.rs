@@ -2,6 +2,8 @@
 
 mod warnings;
 
+use std::collections::BTreeSet;
+
 use radiosity_audit::Checked;
 use radiosity_elements::Elements;
 use radiosity_kernel::PairCounts;
@@ -38,6 +40,9 @@ pub struct Report {
     /// Changes to the file of another program that the scene was read from; none for other scenes.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub imported: Option<Imported>,
+    /// Files that were read outside the folder of the scene, as it names them.
+    #[serde(skip_serializing_if = "BTreeSet::is_empty")]
+    pub read_outside: BTreeSet<String>,
     /// Changes that made the shapes of surfaces fit together when the scene was read.
     pub fitted: Fitted,
     /// Its light groups with their factors.
@@ -117,6 +122,9 @@ pub struct Report {
     pub checked: Option<Checked>,
     /// Warnings to the user.
     pub warnings: Vec<Warning>,
+    /// Power that is emitted over the area of all surfaces (W m⁻²), beside which readings are dark.
+    #[serde(skip)]
+    light: f64,
 }
 
 /// The transport that carried the pairs of elements.
@@ -195,6 +203,7 @@ impl Report {
             unit: scene.unit.clone(),
             surfaces: scene.surfaces.len(),
             imported: scene.imported().cloned(),
+            read_outside: scene.source.as_ref().map(|source| source.outside().clone()).unwrap_or_default(),
             fitted: scene.fitted.clone(),
             light_groups: scene.light_groups().into_iter().cloned().collect(),
             elements: elements.list().len(),
@@ -230,6 +239,7 @@ impl Report {
             read_error: None,
             checked: None,
             warnings: warnings(solved),
+            light: outcome.checks.energy_in / scene.surfaces.iter().map(|own| own.shape.area()).sum::<f64>(),
         }
     }
 
@@ -277,7 +287,7 @@ impl Report {
 
     /// Warns of points outside of the room.
     pub fn add_points(&mut self, readings: &[ProbeReading]) {
-        self.warnings.extend(outside_points(readings));
+        self.warnings.extend(outside_points(readings, self.light));
     }
 }
 

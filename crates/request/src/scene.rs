@@ -4,8 +4,9 @@ use std::path::{Path, PathBuf};
 
 use radiosity_formats::{format::Format, materials::SideFile, model::Sides, unit::Unit, up::Up};
 use radiosity_language::{Import, input};
+use radiosity_photometry::files::Reach;
 use radiosity_reading::files::solution_file::is_solution;
-use radiosity_scene::{Reach, Scene, SceneError, Source};
+use radiosity_scene::{Scene, SceneError, Source};
 use radiosity_work::ranks::Ranks;
 use radiosity_work::ranks::journal::fingerprint;
 use radiosity_work::wording::{option, set, words};

@@ -3,6 +3,7 @@
 //! Light ends at a back; heat does not: insulation sends back what it receives, and a bare sheet has the temperature
 //! of its front ([`BackCondition`]).
 
+use radiosity_fit::sides::{back_of, front_of};
 use std::collections::HashMap;
 use std::sync::Arc;
 
@@ -13,9 +14,6 @@ use crate::{
     thermal::{BackCondition, Condition, Thermal},
 };
 
-/// Ending of the names of backs.
-const BACK: &str = ":back";
-
 impl Scene {
     /// The surfaces of one side: neither two-sided nor one of two that lie back to back, called `s` and `s:back`.
     pub fn one_sided(&self) -> Vec<usize> {
@@ -23,8 +21,8 @@ impl Scene {
         let named: HashMap<&str, usize> =
             list.iter().enumerate().map(|(index, surface)| (surface.name.as_str(), index)).collect();
         let has_side = |surface: &SceneSurface| {
-            let front = surface.name.strip_suffix(BACK).and_then(|front| named.get(front));
-            let back = named.get(&*format!("{}{BACK}", surface.name));
+            let front = front_of(&surface.name).and_then(|front| named.get(front));
+            let back = named.get(&*back_of(&surface.name));
             front.into_iter().chain(back).any(|other| lie_together(surface, &list[*other]))
         };
         let is_alone = |index: &usize| list[*index].other_side.is_none() && !has_side(&list[*index]);
@@ -66,7 +64,7 @@ impl SceneSurface {
             BackCondition::Temperature(kelvin) => Some(Condition::Temperature(kelvin)),
         };
         Self {
-            name: format!("{}{BACK}", self.name),
+            name: back_of(&self.name),
             shape: Arc::new(Flipped::new(Box::new(Arc::clone(&self.shape)))),
             other_side: Some(index),
             thermal: Thermal { condition, ..self.thermal },

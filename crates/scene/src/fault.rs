@@ -3,7 +3,7 @@
 use std::{error::Error, fmt, io, sync::Arc};
 
 use radiosity_geom::ShapeError;
-use radiosity_photometry::files::CURE_OF_HIDDEN;
+use radiosity_photometry::files::{FOREIGN, hidden};
 use radiosity_work::wording::Wording;
 use strsim::damerau_levenshtein;
 
@@ -97,7 +97,7 @@ impl FaultKind {
     pub(crate) fn title(self) -> &'static str {
         match self {
             Self::Unreadable(_) | Self::Include => "a file that cannot be read",
-            Self::Foreign => "content that cannot be followed",
+            Self::Foreign => FOREIGN,
             Self::Syntax => "a syntax error",
             Self::UnknownKey => "an unknown key",
             Self::MissingKey => "a missing key",
@@ -140,11 +140,17 @@ impl Fault {
     /// The fault by its kind alone: it quotes nothing of a file outside the scene's folder.
     #[must_use]
     pub fn discreet(self) -> Self {
-        let cause = format!(
-            "{}, which is not shown, as the file is outside the folder of the scene",
-            self.kind.title()
-        );
-        Self::new(self.kind, cause, CURE_OF_HIDDEN)
+        let refusal = hidden(self.kind.title());
+        Self::new(self.kind, refusal.cause, refusal.cure)
+    }
+
+    /// The fault without a list of names, some of which stand in files outside the scene's folder.
+    #[must_use]
+    pub(crate) fn unlisted(self) -> Self {
+        match self.cure {
+            Cure::Choice(_) => self.cured("correct the name; names are not listed, as some are of files outside the folder of the scene"),
+            _ => self,
+        }
     }
 
     /// Two statements that do not go together.

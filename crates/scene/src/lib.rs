@@ -91,7 +91,6 @@ pub use place::{Line, Place};
 pub use pose::Pose;
 pub use print::Notation;
 pub use radiance::Radiance;
-pub use radiosity_photometry::files::Reach;
 pub use ranges::{MAX_ORDER, MAX_PARTS};
 pub use sensor_plane::SensorPlane;
 pub use sky::{Sky, SkyModel, Sun};

@@ -1,5 +1,6 @@
 //! Luminaires of an extent → the surfaces that send their light: black ones, one for each side that shines.
 
+use radiosity_fit::sides::back_of;
 use std::sync::Arc;
 
 use radiosity_geom::shapes::{Disk, FULL_TURN, Parallelogram};
@@ -38,7 +39,7 @@ pub fn luminous_surfaces(
     let Some(shape) = shape else { return Ok(Vec::new()) };
     let [front, back] = LuminousArea::sides(own);
     let front = front.map(|area| LitSide { area, name: own.name.clone(), flip: false });
-    let back = back.map(|area| LitSide { area, name: format!("{}:back", own.name), flip: true });
+    let back = back.map(|area| LitSide { area, name: back_of(&own.name), flip: true });
     let lit = front.into_iter().chain(back);
     Ok(lit.map(|side| draft(own, side, Arc::clone(&shape), typed())).collect())
 }

@@ -1,5 +1,6 @@
 //! Names by which parts of a scene are meant, and the parts that they mean.
 
+use radiosity_fit::sides::front_of;
 use std::{borrow::Borrow, sync::Arc};
 
 use crate::{fault::Fault, light_group::LightGroup, place::Span};
@@ -48,7 +49,7 @@ impl MemberNames {
     /// Names of the surface `name`, a side of the area of one of these luminaires.
     pub fn of_area(name: &str, luminaires: &[Self]) -> Self {
         let called = |name: &str| luminaires.iter().position(|own| own.names[0] == name);
-        let luminaire = called(name).or_else(|| called(name.strip_suffix(":back")?));
+        let luminaire = called(name).or_else(|| called(front_of(name)?));
         let instances = luminaire.map(|index| Arc::clone(&luminaires[index].instances));
         let named = Self { luminaire, ..Self::named([name.to_owned()]) };
         named.within(instances.unwrap_or_default())

@@ -307,6 +307,7 @@ impl Located {
     pub fn in_source(self, source: &Source) -> SceneError {
         let Located { fault, span, owner } = match &self.span {
             Some(span) if source.outside.contains(source.origin_at(span.start)) => self.discreet(),
+            _ if !source.outside.is_empty() => Located { fault: self.fault.unlisted(), ..self },
             _ => self,
         };
         let (place, owner) = match span {

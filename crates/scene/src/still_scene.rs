@@ -7,6 +7,7 @@
 //! names and parameters. So it is with light: what a state dims is multiplied by its factors, and what it does
 //! not stays to the bit.
 
+use radiosity_fit::sides::front_of;
 use std::sync::Arc;
 
 use radiosity_fit::{
@@ -140,7 +141,7 @@ impl Scene {
     fn has_back(&self, index: usize) -> bool {
         let name = &self.surfaces[index].name;
         let next = self.surfaces.get(index + 1);
-        next.is_some_and(|next| next.name.strip_suffix(":back") == Some(name.as_str()))
+        next.is_some_and(|next| front_of(&next.name) == Some(name.as_str()))
     }
 
     fn is_flat_front(&self, index: usize) -> bool {

@@ -3,6 +3,7 @@
 //! A draft becomes one surface, or two if it is two-sided; `patches` in a file become several. Each is of a
 //! size that can be computed with, has a name of its own, and lies in no other.
 
+use radiosity_fit::sides::back_of;
 use std::sync::Arc;
 
 use radiosity_geom::{Flipped, Rect, Surface};
@@ -321,7 +322,7 @@ impl SurfaceDraft {
             place: self.typed.as_ref().and_then(|typed| typed.place.clone()),
         };
         let other = self.back.as_ref().unwrap_or(&front);
-        let back = self.two_sided.then(|| side(format!("{name}:back"), !self.flip, other));
+        let back = self.two_sided.then(|| side(back_of(&name), !self.flip, other));
         [side(name.clone(), self.flip, &front)].into_iter().chain(back).collect()
     }
 }

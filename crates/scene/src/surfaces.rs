@@ -1,5 +1,6 @@
 //! Drafts → the surfaces of one scene: shapes fitted together, names unique, no surface in another.
 
+use radiosity_fit::sides::front_of;
 use radiosity_fit::{coincident::Occupied, middle};
 use radiosity_geom::{Aabb, Bvh, DVec3};
 use radiosity_work::interruption::check_interrupt;
@@ -121,7 +122,7 @@ struct OccupiedSpace {
 impl OccupiedSpace {
     /// Whether this is the back of `front`: named so, and facing away.
     fn is_back_of(&self, front: &OccupiedSpace) -> bool {
-        self.name.strip_suffix(":back") == Some(front.name.as_str()) && self.occupied.opposes(&front.occupied)
+        front_of(&self.name) == Some(front.name.as_str()) && self.occupied.opposes(&front.occupied)
     }
 }
 

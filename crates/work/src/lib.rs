@@ -10,6 +10,7 @@
 
 pub mod checksum;
 pub mod digits;
+pub mod listed;
 pub mod wording;
 pub mod interruption;
 pub mod ranks;

@@ -1,9 +1,7 @@
 //! Why heat cannot be read by walks.
 
+use radiosity_work::listed::listed;
 use radiosity_work::wording::{Wording, words};
-
-/// Most names that a message spells out. Chosen: about a line of a terminal.
-const SPELT: usize = 5;
 
 /// Why the heat of a scene cannot be read by walks.
 #[derive(Debug, thiserror::Error)]
@@ -50,14 +48,5 @@ impl HeatFault {
             }
             Self::NoLevel { .. } => "give one of them a temperature",
         })
-    }
-}
-
-/// Names in quotes, the first ones of many.
-fn listed(names: &[String]) -> String {
-    let spelt: Vec<String> = names.iter().take(SPELT).map(|name| format!("{name:?}")).collect();
-    match names.len().saturating_sub(SPELT) {
-        0 => spelt.join(", "),
-        more => format!("{} and {more} more", spelt.join(", ")),
     }
 }

@@ -64,8 +64,3 @@ impl Sheet {
         sign * corners.iter().map(|x| region.height(*x)).sum::<f64>() / corners.len() as f64
     }
 }
-
-/// Whether one surface is named the back of the other: both are sides of one sheet.
-pub fn are_sides_of_one([one, other]: [&str; 2]) -> bool {
-    one.strip_suffix(":back") == Some(other) || other.strip_suffix(":back") == Some(one)
-}

@@ -223,13 +223,23 @@ impl<'a, 'b> Nodes<'a, 'b> {
         let indices =
             primitive.indices.map(|indices| self.accessors.data(indices, NumberUse::Indices, place));
         let triangles = Triangles { mode, points, indices: indices.transpose()? };
+        let normal = primitive.attributes.normal;
+        // Normals that cannot be read are of no use, and refuse no file.
+        let normals = normal.and_then(|own| self.accessors.data(own, NumberUse::Points, place).ok());
         let coat = self.coat(primitive.material, object, place)?;
         triangles.require_whole(place)?;
         self.visit(triangles.count(), place)?;
-        let is_mirrored = DMat3::from_mat4(*world).determinant() < 0.0;
+        let linear = DMat3::from_mat4(*world);
+        let is_mirrored = linear.determinant() < 0.0;
+        // Normals go by the inverse transpose.
+        let turned = linear.inverse().transpose();
         for [a, b, c] in (0..triangles.count()).filter_map(|number| triangles.corners(number)) {
-            let corners = if is_mirrored { [c, b, a] } else { [a, b, c] };
-            let corners = corners_of(corners, &triangles.points, world);
+            let vertices = if is_mirrored { [c, b, a] } else { [a, b, c] };
+            let corners = corners_of(vertices, &triangles.points, world);
+            if let (Some(normals), Ok(corners)) = (&normals, &corners) {
+                let own = vertices.iter().filter_map(|vertex| normals.point(*vertex));
+                self.mesh.note_rounding(corners, own.map(|normal| turned * normal), place);
+            }
             let added = corners.and_then(|corners| self.mesh.face(corners, coat, place));
             added.map_err(|refusal| refusal.at(place))?;
         }

@@ -33,6 +33,8 @@ pub(super) struct Root<'a> {
     pub(super) animations: Vec<IgnoredAny>,
     #[serde(default)]
     pub(super) extensions_required: Vec<String>,
+    #[serde(default)]
+    pub(super) extensions_used: Vec<String>,
 }
 
 #[derive(Debug, Deserialize)]
@@ -91,6 +93,8 @@ pub(super) struct Primitive {
 pub(super) struct Attributes {
     #[serde(rename = "POSITION")]
     pub(super) position: Option<usize>,
+    #[serde(rename = "NORMAL")]
+    pub(super) normal: Option<usize>,
     #[serde(rename = "COLOR_0")]
     pub(super) colour: Option<IgnoredAny>,
 }

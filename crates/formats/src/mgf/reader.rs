@@ -27,12 +27,30 @@ struct Open<'a> {
     start: Lines<'a>,
 }
 
+/// A colour of a context, or why it is none, which counts where the colour is used.
+#[derive(Clone, Debug)]
+struct Colour(Result<Chromaticity, Refusal>);
+
+impl Default for Colour {
+    fn default() -> Self {
+        Self(Ok(Chromaticity::default()))
+    }
+}
+
+impl Colour {
+    fn used(&self) -> Result<Chromaticity, Refusal> {
+        self.0.clone()
+    }
+}
+
 /// Reader of an MGF file: the model and the contexts up to the line that is read.
 pub(super) struct Reader<'a> {
     includes: Includes<'a>,
     model: ModelBuilder,
     vertices: Contexts<Vertex>,
-    colours: Contexts<Chromaticity>,
+    colours: Contexts<Colour>,
+    /// Lines of colours that are none.
+    faulty: Vec<usize>,
     /// Reflectance, exitance and sides.
     materials: Contexts<Coat>,
     objects: Vec<String>,
@@ -48,6 +66,7 @@ impl<'a> Reader<'a> {
             model: ModelBuilder::default(),
             vertices: Contexts::new("vertex"),
             colours: Contexts::new("colour"),
+            faulty: Vec::new(),
             materials: Contexts::new("material"),
             objects: Vec::new(),
             placed: Similarity::IDENTITY,
@@ -59,6 +78,10 @@ impl<'a> Reader<'a> {
     pub(super) fn finish(mut self) -> Model {
         // MGF 2.0, entity `ed`: lumens per square metre.
         self.model.unit("lx");
+        // One that is used ends the reading.
+        for line in std::mem::take(&mut self.faulty) {
+            self.model.note("colours that are none, and that nothing has, are left out", line);
+        }
         self.model.finish()
     }
 
@@ -156,7 +179,7 @@ impl<'a> Reader<'a> {
             "c" => self.colours.switch(arguments),
             "m" => self.materials.switch(arguments),
             "p" | "n" => self.set_vertex(entity, arguments),
-            "cxy" | "cspec" | "cct" | "cmix" => self.set_colour(entity, arguments),
+            "cxy" | "cspec" | "cct" | "cmix" => self.set_colour(entity, arguments, line),
             "rd" | "ed" | "sides" => self.set_material(entity, arguments),
             "rs" | "td" | "ts" | "ir" => self.leave_out(entity, arguments, line),
             "o" => self.object(arguments, line),
@@ -187,15 +210,15 @@ impl<'a> Reader<'a> {
         Ok(())
     }
 
-    fn set_colour(&mut self, entity: &str, arguments: &[&str]) -> Result<(), Refusal> {
+    fn set_colour(&mut self, entity: &str, arguments: &[&str], line: usize) -> Result<(), Refusal> {
         let colour = match entity {
             "cxy" => {
                 let [x, y] = numbers(entity, arguments)?;
-                Chromaticity::of_xy(x, y)?
+                Chromaticity::of_xy(x, y)
             }
             "cct" => {
                 let [kelvin] = numbers(entity, arguments)?;
-                Chromaticity::of_black_body(kelvin)?
+                Chromaticity::of_black_body(kelvin)
             }
             "cspec" => {
                 let values: Vec<f64> = arguments
@@ -205,24 +228,30 @@ impl<'a> Reader<'a> {
                 let [first, last, ref values @ ..] = values[..] else {
                     return Err(wrong_count("cspec", arguments.len(), "4 or more"));
                 };
-                Chromaticity::of_spectrum(first, last, values)?
+                Chromaticity::of_spectrum(first, last, values)
             }
             _ => self.mixture(arguments)?,
         };
-        *self.colours.current_mut() = colour;
+        let colour = colour.map_err(|fault| self.refusal(fault, line));
+        self.faulty.extend(colour.is_err().then_some(line));
+        *self.colours.current_mut() = Colour(colour);
         Ok(())
     }
 
-    fn mixture(&self, arguments: &[&str]) -> Result<Chromaticity, Refusal> {
+    /// The colour of a mixture, or why it is none.
+    ///
+    /// # Errors
+    /// Arguments that are no mixture, and colours of it that are none.
+    fn mixture(&self, arguments: &[&str]) -> Result<Result<Chromaticity, Refusal>, Refusal> {
         let mut parts = Vec::new();
         for pair in arguments.chunks(2) {
             let [weight, colour] = *pair else {
                 return refuse("a mixture lacks a colour", "write a weight before each colour");
             };
             let weight = number(weight, "a weight")?;
-            parts.push(MixturePart { weight, colour: *self.colours.get(colour)? });
+            parts.push(MixturePart { weight, colour: self.colours.get(colour)?.used()? });
         }
-        Chromaticity::of_mixture(&parts)
+        Ok(Chromaticity::of_mixture(&parts))
     }
 
     fn set_material(&mut self, entity: &str, arguments: &[&str]) -> Result<(), Refusal> {
@@ -230,7 +259,7 @@ impl<'a> Reader<'a> {
         if value < 0.0 {
             return refuse(format!("{entity} is {value}, below 0"), "write 0 or more");
         }
-        let bands = self.colours.current().1.bands().map(|band| band * value);
+        let bands = self.colours.current().1.used()?.bands().map(|band| band * value);
         let material = self.materials.current_mut();
         match entity {
             "rd" => material.reflectance = bands,

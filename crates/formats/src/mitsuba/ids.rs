@@ -62,6 +62,17 @@ impl<'a> Ids<'a> {
         }
     }
 
+    /// The tag of the element that an element stands for, of which nothing is made by this.
+    ///
+    /// # Errors
+    /// An id that nothing has.
+    pub(super) fn tag(&self, element: &'a Element) -> Result<&'a str, Refusal> {
+        match element.tag.as_str() {
+            "ref" => Ok(&self.get(element.required("id")?, element)?.tag),
+            tag => Ok(tag),
+        }
+    }
+
     /// The element that stands for a property of an element, by the property's name; none without one.
     ///
     /// # Errors

@@ -5,8 +5,7 @@ use radiosity_photometry::text::short;
 use super::element::{Element, Remarks};
 
 /// Elements that need no word: what ids are given to and nothing names, and how Mitsuba makes its picture.
-const SILENT: [&str; 9] =
-    ["bsdf", "texture", "spectrum", "medium", "volume", "phase", "film", "alias", "ref"];
+const SILENT: [&str; 6] = ["bsdf", "texture", "spectrum", "film", "alias", "ref"];
 
 /// Elements that need no word even where a name is given to them.
 const PICTURE: [&str; 3] = ["integrator", "sampler", "rfilter"];

@@ -14,6 +14,7 @@ use super::placed;
 use super::transforms;
 use crate::budget::Budget;
 use crate::builder::{Coat, ModelBuilder};
+use crate::mesh::ROUNDED;
 use crate::model::{Model, Shape, Sides};
 use radiosity_photometry::files::Files;
 
@@ -143,9 +144,11 @@ impl<'a, 'b> Shapes<'a, 'b> {
             }
             _ => {
                 let mesh = self.meshes.of(shape)?;
-                mesh.remarks.iter().for_each(|text| self.remarks.add(format!("of meshes: {text}"), shape));
+                let is_flat = shape.boolean("face_normals")?;
+                let remarks = mesh.remarks.iter().filter(|text| !(is_flat && *text == ROUNDED));
+                remarks.for_each(|text| self.remarks.add(format!("of meshes: {text}"), shape));
                 let own = transforms::of(shape, "to_world")?;
-                let has_normals = mesh.has_normals && !shape.boolean("face_normals")?;
+                let has_normals = mesh.has_normals && !is_flat;
                 let is_lost = placed::is_mirror(&own) && !has_normals;
                 let is_turned = (placed::is_mirror(placed) != is_flipped) != is_lost;
                 Ok(mesh.faces.iter().map(|face| placed::face(placed, face, is_turned)).collect())
@@ -190,8 +193,7 @@ impl<'a, 'b> Shapes<'a, 'b> {
     fn only(&self, shape: &'a Element, tag: &str) -> Result<Option<&'a Element>, Refusal> {
         let mut found = None;
         for child in shape.children.iter().filter(|child| child.tag == tag || child.tag == "ref") {
-            let meant = self.ids.meant(child)?;
-            if meant.tag == tag && found.replace(meant).is_some() {
+            if self.ids.tag(child)? == tag && found.replace(self.ids.meant(child)?).is_some() {
                 return Err(child.refusal(format!("the shape has two of <{tag}>"), "take one out"));
             }
         }

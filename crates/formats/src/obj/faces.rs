@@ -1,6 +1,7 @@
 //! Vertices and faces of an OBJ.
 
 use std::collections::HashMap;
+use std::num::NonZeroU32;
 
 use glam::DVec3;
 use radiosity_photometry::error::{Refusal, refuse};
@@ -45,8 +46,12 @@ pub(super) struct Faces {
     material_numbers: Names,
     material: Option<MaterialUse>,
     pub(super) libraries: Vec<Library>,
-    /// Whether there are normals.
-    has_normals: bool,
+    /// Normals of vertices; 0 where they are none.
+    normals: Vec<DVec3>,
+    /// The numbers of the normals at the corners of all faces, from 1 on.
+    corner_normals: Vec<Option<NonZeroU32>>,
+    /// Line of the first smoothing group.
+    smoothing: Option<usize>,
     notes: Vec<Note>,
 }
 
@@ -59,6 +64,15 @@ pub(super) struct MaterialUse {
 
 /// Numbers of names, in the order of their first use.
 type Names = HashMap<String, usize>;
+
+/// The normal of a statement, 0 if it is none.
+fn normal(rest: &str) -> DVec3 {
+    let numbers: Vec<f64> = rest.split_whitespace().map_while(|word| word.parse().ok()).collect();
+    match numbers[..] {
+        [x, y, z, ..] => DVec3::new(x, y, z),
+        _ => DVec3::ZERO,
+    }
+}
 
 impl Faces {
     /// Takes a statement of a line.
@@ -78,10 +92,17 @@ impl Faces {
                 self.note("free-form curves and surfaces are left out", line);
             }
             "call" | "csh" => self.note("calls of other files and commands are left out", line),
-            "vn" => self.has_normals = true,
+            "vn" => self.normals.push(normal(rest)),
+            "s" if !["", "0", "off"].contains(&rest.to_ascii_lowercase().as_str()) => {
+                self.smoothing.get_or_insert(line);
+            }
+            "usemap" if !rest.eq_ignore_ascii_case("off") => self.note("textures are left out", line),
+            "shadow_obj" | "trace_obj" => {
+                self.note("objects for shadows and reflections are left out", line);
+            }
             "vt" | "vp" | "s" | "lod" | "mg" | "bevel" | "c_interp" | "d_interp" | "usemap" | "maplib"
-            | "shadow_obj" | "trace_obj" | "cstype" | "deg" | "bmat" | "step" | "parm" | "trim" | "hole"
-            | "scrv" | "sp" | "end" | "con" | "ctech" | "stech" => {}
+            | "cstype" | "deg" | "bmat" | "step" | "parm" | "trim" | "hole" | "scrv" | "sp" | "end"
+            | "con" | "ctech" | "stech" => {}
             _ => {
                 return refuse(
                     format!("'{}' is no statement of OBJ", short(keyword)),
@@ -119,6 +140,7 @@ impl Faces {
         for word in rest.split_whitespace() {
             let corner = self.corner(word)?;
             self.corners.push(corner);
+            self.corner_normals.push(self.normal_of(word));
         }
         let next = self.objects.len();
         let object = match self.objects.get(&self.object) {
@@ -151,6 +173,14 @@ impl Faces {
         }
     }
 
+    /// The number of the normal that a corner `v//vn` or `v/vt/vn` names, if it names one.
+    fn normal_of(&self, word: &str) -> Option<NonZeroU32> {
+        let index: isize = word.split('/').nth(2)?.parse().ok()?;
+        let number =
+            if index < 0 { self.normals.len().checked_add_signed(index + 1)? } else { index.unsigned_abs() };
+        NonZeroU32::new(number.try_into().ok()?)
+    }
+
     /// The number of the current material.
     fn material_number(&mut self) -> Option<usize> {
         let material = self.material.as_ref()?;
@@ -171,8 +201,11 @@ impl Faces {
 
     /// Adds all faces to a mesh that has the materials.
     pub(super) fn add_to(&self, mesh: &mut Mesh) -> Result<(), Refusal> {
-        mesh.has_normals = self.has_normals;
+        mesh.has_normals = !self.normals.is_empty();
         mesh.model.notes.extend_from_slice(&self.notes);
+        if let Some(line) = self.smoothing.filter(|_| !mesh.has_normals) {
+            mesh.model.note("smoothing groups are left out: faces are flat", Some(FilePlace::Line(line)));
+        }
         let mut names: Vec<(&String, &usize)> = self.objects.iter().collect();
         names.sort_by_key(|(_, number)| **number);
         let objects: Vec<usize> = names.iter().map(|(name, _)| mesh.object(Some(name))).collect();
@@ -182,9 +215,16 @@ impl Faces {
             let corners: Result<Vec<DVec3>, Refusal> =
                 self.corners[face.start..end].iter().map(|corner| self.point(*corner)).collect();
             let coat = Coat { object: objects[face.object], material: face.material, sides: Sides::Open };
-            corners.and_then(|corners| mesh.face(corners, coat, place)).map_err(|fault| fault.at(place))?;
+            let corners = corners.map_err(|fault| fault.at(place))?;
+            let normals = self.corner_normals[face.start..end].iter().flatten();
+            mesh.note_rounding(&corners, normals.filter_map(|number| self.normal(*number)), place);
+            mesh.face(corners, coat, place).map_err(|fault| fault.at(place))?;
         }
         Ok(())
+    }
+
+    fn normal(&self, number: NonZeroU32) -> Option<DVec3> {
+        self.normals.get(number.get() as usize - 1).copied()
     }
 
     fn point(&self, corner: usize) -> Result<DVec3, Refusal> {

@@ -22,12 +22,14 @@ pub(super) struct Mtl {
     /// `Kd` and `Ke`, red, green and blue.
     diffuse: Option<[f64; 3]>,
     radiance: [f64; 3],
+    /// The first colour that is none, which counts where the material is used.
+    pub(super) fault: Option<Refusal>,
     /// Remarks on properties that are left out, each kind once.
     pub(super) left_out: Vec<String>,
 }
 
-/// Adds the materials of a text to those that are known.
-pub(super) fn read(text: &str, known: &mut HashMap<String, Mtl>) -> Result<(), Refusal> {
+/// Adds the materials of a text, that of `file`, to those that are known.
+pub(super) fn read(text: &str, file: &str, known: &mut HashMap<String, Mtl>) -> Result<(), Refusal> {
     let mut current: Option<(String, Mtl)> = None;
     for (line, statement) in statements(text) {
         let (keyword, rest) = split(&statement);
@@ -43,7 +45,9 @@ pub(super) fn read(text: &str, known: &mut HashMap<String, Mtl>) -> Result<(), R
                 "begin each material with 'newmtl NAME'",
             );
         };
-        mtl.statement(keyword, rest).map_err(|fault| fault.at(FilePlace::Line(line)))?;
+        if let Err(fault) = mtl.statement(keyword, rest) {
+            mtl.fault.get_or_insert(fault.at(FilePlace::Line(line)).in_file(file));
+        }
     }
     add(current, known);
     Ok(())
@@ -92,7 +96,7 @@ impl Mtl {
             "d" if last(rest).is_some_and(|d| d < 1.0) => self.leave_out(TRANSPARENCY),
             // Programs write 0 for opaque, as transparency, or 1, as its opposite.
             "tr" if last(rest).is_some_and(|tr| tr > 0.0 && tr < 1.0) => self.leave_out(TRANSPARENCY),
-            "pm" if last(rest).is_some_and(|metallic| metallic > 0.0) => self.leave_out(SPECULAR),
+            "pm" | "pc" | "ps" if last(rest).is_some_and(|share| share > 0.0) => self.leave_out(SPECULAR),
             "map_kd" => self.leave_out(TEXTURED),
             "map_ke" => self.leave_out(TEXTURED_EMISSION),
             "bump" | "disp" | "decal" | "refl" | "norm" => self.leave_out(TEXTURES),

@@ -1,5 +1,6 @@
 //! Models as OBJ and MTL.
 
+use radiosity_fit::sides::back_of;
 use std::collections::HashMap;
 use std::f64::consts::PI;
 use std::fmt::Write;
@@ -49,7 +50,7 @@ pub fn write(model: &Model, mtl_name: &str) -> Result<Written, Refusal> {
         }
         text.line(&format!("f {}", numbers.join(" ")));
         if surface.sides == Sides::Both {
-            text.line(&format!("o {}:back", line(&surface.name)));
+            text.line(&format!("o {}", back_of(&line(&surface.name))));
             text.line(&format!("f {}", numbers.into_iter().rev().collect::<Vec<_>>().join(" ")));
         }
     }

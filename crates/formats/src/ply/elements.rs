@@ -14,10 +14,15 @@ use crate::tolerances::MOST_ROWS;
 /// Names that lists of corners have.
 const LISTS: [&str; 2] = ["vertex_indices", "vertex_index"];
 
+/// Names that texture coordinates have.
+const TEXTURES: [&str; 7] = ["s", "t", "u", "v", "texture_u", "texture_v", "texcoord"];
+
 /// Vertices, and faces as numbers of vertices.
 #[derive(Debug, Default)]
 pub(super) struct Elements {
     vertices: Vec<DVec3>,
+    /// Normals of the vertices, if they have any.
+    normals: Vec<DVec3>,
     corners: Vec<f64>,
     faces: Vec<Face>,
 }
@@ -79,14 +84,21 @@ impl Elements {
             })
         };
         let axes = [axis("x")?, axis("y")?, axis("z")?];
+        let normal = ["nx", "ny", "nz"].map(|name| axis(name).ok());
+        let normal = match normal {
+            [Some(x), Some(y), Some(z)] => Some([x, y, z]),
+            _ => None,
+        };
+        let wanted: Vec<usize> = axes.into_iter().chain(normal.into_iter().flatten()).collect();
         for _ in 0..element.count {
             let place = numbers.place();
-            let mut point = DVec3::ZERO;
-            row(&element.properties, numbers, &axes, &mut |property, value| {
-                let axis = axes.iter().position(|axis| *axis == property);
-                axis.into_iter().for_each(|axis| point[axis] = value);
+            let mut vectors = [DVec3::ZERO; 2];
+            row(&element.properties, numbers, &wanted, &mut |property, value| {
+                let place = wanted.iter().position(|own| *own == property);
+                place.into_iter().for_each(|place| vectors[place / 3][place % 3] = value);
                 Ok(())
             })?;
+            let [point, own_normal] = vectors;
             if !point.is_finite() {
                 return refuse_at(
                     place,
@@ -95,6 +107,7 @@ impl Elements {
                 );
             }
             self.vertices.push(point);
+            self.normals.extend(normal.map(|_| own_normal));
         }
         Ok(())
     }
@@ -145,7 +158,11 @@ impl Elements {
             let corners: Result<Vec<DVec3>, Refusal> =
                 self.corners[*start..end].iter().map(|number| self.vertex(*number, *place)).collect();
             let coat = Coat { object, material: None, sides: Sides::Open };
-            mesh.face(corners?, coat, *place).map_err(|fault| fault.at(*place))?;
+            let corners = corners?;
+            let normals =
+                self.corners[*start..end].iter().filter_map(|number| self.normals.get(*number as usize));
+            mesh.note_rounding(&corners, normals.copied(), *place);
+            mesh.face(corners, coat, *place).map_err(|fault| fault.at(*place))?;
         }
         Ok(())
     }
@@ -222,6 +239,10 @@ fn note(element: &Element, model: &mut Model) {
     let is_colour = |property: &Property| property.name.ends_with("red") || property.name == "r";
     if element.count > 0 && element.properties.iter().any(is_colour) {
         model.note("colours are left out", place);
+    }
+    let is_texture = |property: &Property| TEXTURES.contains(&property.name.as_str());
+    if element.count > 0 && element.properties.iter().any(is_texture) {
+        model.note("texture coordinates are left out, and what textures they are of", place);
     }
     match element.name.as_str() {
         "vertex" | "face" | "tristrips" => {}

@@ -6,7 +6,7 @@
 
 use std::collections::HashSet;
 
-use radiosity_fit::stacked::are_sides_of_one;
+use radiosity_fit::sides::{are_sides_of_one, back_of};
 
 use crate::model::{Model, Sides};
 use crate::repair::edit::Edit;
@@ -58,7 +58,7 @@ impl Copies {
         let names = vec![one.name.clone(), other.name.clone()];
         let pair = spelt(&names);
         let is_sheet = !is_alike && self.is_one_sided(model, first) && self.is_one_sided(model, second);
-        let back = format!("{}:back", one.name);
+        let back = back_of(&one.name);
         let text = if is_sheet && one.material == other.material {
             self.both[first] = true;
             self.gone[second] = true;

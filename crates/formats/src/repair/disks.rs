@@ -8,7 +8,7 @@ use std::cmp::Ordering;
 use std::collections::BTreeMap;
 
 use glam::DVec3;
-use radiosity_fit::stacked::are_sides_of_one;
+use radiosity_fit::sides::are_sides_of_one;
 use radiosity_geom::layer_order;
 
 use crate::model::{Model, Shape, Sides};

@@ -8,7 +8,7 @@
 use std::collections::BTreeMap;
 
 use radiosity_fit::overlay::{Part, enclosed, without};
-use radiosity_fit::stacked::are_sides_of_one;
+use radiosity_fit::sides::are_sides_of_one;
 use radiosity_geom::{SAME_AREA, layer_order};
 
 use crate::model::{Model, Shape, Sides};

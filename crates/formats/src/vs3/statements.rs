@@ -56,6 +56,8 @@ pub(super) struct Input {
     pub(super) enclosure: Option<usize>,
     /// Line of the first coordinate transformation, which View3D skips.
     pub(super) transformation: Option<usize>,
+    /// Line of the first `I`, which the program knows and its manual does not.
+    pub(super) unknown: Option<usize>,
 }
 
 /// A line in words.
@@ -121,7 +123,7 @@ impl Input {
                     input.surfaces.push(surface.map_err(placed)?);
                 }
                 Some('X') => input.transformation = input.transformation.or(Some(at)),
-                Some('I') => {}
+                Some('I') => input.unknown = input.unknown.or(Some(at)),
                 _ => return Err(placed(unknown(letter))),
             }
         }

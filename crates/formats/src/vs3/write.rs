@@ -1,6 +1,7 @@
 //! Writes a model as View3D input. Polygons of more than four corners, with holes or with a notch become
 //! convex pieces `name#1`, `name#2`, …, which View3D combines into one again.
 
+use radiosity_fit::sides::back_of;
 use std::collections::HashMap;
 use std::fmt::Write;
 
@@ -77,7 +78,7 @@ impl Sheet {
         self.add_pieces(&surface.name, &pieces, letter, emittance);
         if surface.sides == Sides::Both {
             pieces.iter_mut().for_each(|piece| piece.reverse());
-            self.add_pieces(&format!("{}:back", surface.name), &pieces, letter, emittance);
+            self.add_pieces(&back_of(&surface.name), &pieces, letter, emittance);
         }
         Ok(())
     }

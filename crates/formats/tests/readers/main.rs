@@ -3,6 +3,7 @@
 mod measures;
 mod memory;
 mod promises;
+mod left_out;
 
 mod descriptions;
 mod meshes;

@@ -1,5 +1,6 @@
 //! The sheets of a scene: its surfaces, those with two sides only once.
 
+use radiosity_fit::sides::front_of;
 use std::{collections::BTreeMap, sync::Arc};
 
 use radiosity_geom::{Aabb, Border, Bvh, DVec3, LOOSE, Patch, Plane, Surface};
@@ -63,7 +64,7 @@ pub(super) fn backs(surfaces: &[SceneSurface]) -> BTreeMap<usize, usize> {
     let named: BTreeMap<&str, usize> =
         surfaces.iter().enumerate().map(|(k, s)| (s.name.as_str(), k)).collect();
     let front_of = |back: &SceneSurface| {
-        let front = *named.get(back.name.strip_suffix(":back")?)?;
+        let front = *named.get(front_of(&back.name)?)?;
         covers(&surfaces[front], back).then_some(front)
     };
     surfaces.iter().enumerate().filter_map(|(back, surface)| Some((front_of(surface)?, back))).collect()

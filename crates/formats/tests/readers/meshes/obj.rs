@@ -71,7 +71,9 @@ fn the_cube_is_six_squares_of_two_materials() {
     assert!(model.surfaces.iter().all(|surface| surface.sides == Sides::Open));
     assert_eq!(model.surfaces[1].material, Some(1));
     assert_eq!(model.surfaces[1].place, Some(FilePlace::Line(20)));
-    assert!(model.notes.is_empty(), "{:?}", model.notes);
+    // All corners name the one normal, which two sides have, one of them reversed.
+    assert_eq!(notes(&model), ["normals of vertices are left out: faces are flat"]);
+    assert_eq!(model.notes[0].count, 4);
 }
 
 #[test]
@@ -211,7 +213,10 @@ fn broken_files_are_refused() {
     );
     refused("v 1e60 0 0\nv 0 0 0\nv 0 1 0\nf 1 2 3\n", "a.obj:4: a coordinate is beyond 1e50", "scale");
     refused("v \0\n", "a.obj: byte 2: this is not a text: it holds a zero byte", "UTF-8");
-    let with = |mtl: &str| read("a.obj", b"mtllib b.mtl\n", &Memory::of([("b.mtl", mtl.as_bytes())]));
+    let with = |mtl: &str| {
+        let text = format!("mtllib b.mtl\nusemtl a\n{TRIANGLE}");
+        read("a.obj", text.as_bytes(), &Memory::of([("b.mtl", mtl.as_bytes())]))
+    };
     assert_refusal(with("Kd 1 1 1\n"), "b.mtl:1: 'Kd' stands before the first material", "newmtl NAME");
     let refused = |kd: &str, said: &str, cure: &str| {
         assert_refusal(with(&format!("newmtl a\n\n{kd}\n")), &format!("b.mtl:3: {said}"), cure);

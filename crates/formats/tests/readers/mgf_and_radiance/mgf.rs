@@ -278,11 +278,7 @@ fn what_is_wrong_is_refused_with_a_cure() {
         ("n 1 2", "n has 2 arguments, 3", "backslash"),
         ("rd -1", "rd is -1, below 0", "0 or more"),
         ("sides 3", "3 sides", "sides 1 or sides 2"),
-        ("cxy .9 .9", "no colour has the chromaticity", "sum to 1"),
         ("cspec 400", "cspec has 1", "one line"),
-        ("cspec 400 700 1", "a spectrum has no range", "two values"),
-        ("cspec 400 700 0 0", "no light that an eye sees", "between 380 and 780"),
-        ("cct 10", "hardly glows", "1000 K"),
         ("cmix 1", "lacks a colour", "weight before each"),
         ("cmix 1 z", "the colour 'z' is not defined", "define it"),
         ("rs", "rs has 0", "one line"),
@@ -309,6 +305,17 @@ fn what_is_wrong_is_refused_with_a_cure() {
     for (line, cause, cure) in told {
         let extra = usize::from(line.contains('\n'));
         assert_refused(read(&format!("{vertices}{line}\n")), "room.mgf", 9 + extra, [cause, cure]);
+    }
+    let colours = [
+        ("cxy .9 .9", "no colour has the chromaticity", "sum to 1"),
+        ("cspec 400 700 1", "a spectrum has no range", "two values"),
+        ("cspec 400 700 0 0", "no light that an eye sees", "between 380 and 780"),
+        ("cct 10", "hardly glows", "1000 K"),
+    ];
+    for (line, cause, cure) in colours {
+        assert_refused(read(&format!("{vertices}{line}\nrd .5\n")), "room.mgf", 9, [cause, cure]);
+        let unused = right(&format!("{vertices}c odd =\n{line}\nc\nrd .5\nf a b c\n"));
+        assert_eq!(notes(&unused), ["colours that are none, and that nothing has, are left out"]);
     }
     let binary = mgf::read("x.mgf", b"v a\0", &Memory::default()).expect_err("zero bytes");
     assert!(binary.cause.contains("no text") || binary.cause.contains("not a text"));

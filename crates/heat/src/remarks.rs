@@ -1,6 +1,9 @@
-//! Remarks on what a balance of heat takes for granted.
+//! Remarks on a balance of heat: its errors, and what it takes for granted.
 
+use radiosity_audit::{Checked, HeatFault};
 use radiosity_scene::Scene;
+use radiosity_work::digits::significant;
+use radiosity_work::wording::{Wording, option, words};
 
 /// Words for luminaires and openings of a scene, whose light has no part in its heat; none where there are none.
 pub fn light_without_heat(scene: &Scene) -> Option<String> {
@@ -38,4 +41,39 @@ pub fn adiabatic_backs(names: &[&str]) -> Option<String> {
         _ => format!("the backs of '{first}' and {} more, which are", others.len()),
     };
     Some(format!("heat reaches {who} adiabatic: back = \"front\" or a temperature says otherwise"))
+}
+
+/// Words for the part that errors of heat leave out where elements were not cut once more.
+pub fn no_error_of_cut() -> Wording {
+    words(
+        "the errors are those of the transfers alone: there is no memory or no time to cut elements once more, which tells what \
+         even fluxes miss; allow more with ",
+    ) + option("memory")
+        + ", or take a lower "
+        + option("order")
+}
+
+/// Words for heat that a referee finds to be off by more than its errors tell.
+pub fn heat_underestimated(checked: &Checked) -> Option<Wording> {
+    let own = significant(100.0 * checked.own_error, 2);
+    let told = |finding: &str| {
+        words(format!(
+            "the balance by itself tells an error of {own} %, and path tracing finds more: {finding}; take a higher "
+        )) + option("order")
+            + ", or more elements by "
+            + option("subdivide")
+    };
+    checked.finding().map(told)
+}
+
+/// Words for heat that a referee cannot read.
+pub fn heat_unchecked(fault: &HeatFault) -> String {
+    format!("not checked by path tracing: {fault}")
+}
+
+/// Words for the correction of transfers of a closed scene whose row sums missed 1 by `moved` at the most.
+pub fn corrected(moved: f64) -> String {
+    format!(
+        "row sums of view factors were within {moved:.1e} of 1, and transfers were corrected to make them 1"
+    )
 }

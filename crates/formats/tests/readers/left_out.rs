@@ -1,0 +1,254 @@
+//! What a file has and a scene of radiosity has not: each construct is named in a note, and a file without it draws
+//! none.
+
+use radiosity_formats::format::Format;
+use radiosity_formats::read::read;
+
+use crate::measures::notes;
+use crate::memory::Memory;
+
+/// A right text of a format, a part of it and the part with something that is left out, and the note on that.
+struct LeftOut {
+    format: Format,
+    text: &'static str,
+    part: &'static str,
+    more: &'static str,
+    note: &'static str,
+}
+
+const PLY: &str = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nproperty float nx\n\
+                   property float ny\nproperty float nz\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n\
+                   0 0 0 0 0 1\n1 0 0 0 0 1\n0 1 0 0 0 1\n3 0 1 2\n";
+
+const OBJ: &str = "mtllib a.mtl\nusemtl a\ns off\nusemap off\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nvn 0 0 2\nf 1//1 2/9/2 3//-1\n";
+
+const FLAT: &str = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+
+const GLTF: &str = r#"{"asset": {"version": "2.0"}, "extensionsUsed": ["KHR_texture_transform"], "scenes": [{"nodes": [0]}],
+"nodes": [{"mesh": 0}], "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "NORMAL": 1}, "material": 0}]}],
+"materials": [{"pbrMetallicRoughness": {"metallicFactor": 0}}], "skins": [{"joints": [0]}],
+"accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"},
+{"bufferView": 1, "componentType": 5126, "count": 3, "type": "VEC3"}],
+"bufferViews": [{"buffer": 0, "byteLength": 36}, {"buffer": 0, "byteOffset": 36, "byteLength": 36}],
+"buffers": [{"byteLength": 72, "uri": "triangle.bin"}]}"#;
+
+const MITSUBA: &str = "<scene version=\"3.0.0\"><medium type=\"homogeneous\" id=\"fog\"/><bsdf type=\"diffuse\" id=\"b\"/>\
+                       <shape type=\"disk\"><ref id=\"b\"/></shape></scene>";
+
+const MGF: &str = "v a =\nv b =\n p 1 0 0\nv c =\n p 0 1 0\nc grey =\nm w =\n rd .5\nf a b c\n";
+
+const RAD: &str = "void plastic w 0 0 5 .5 .5 .5 0 0\nw sphere s 0 0 4 0 0 0 1\n";
+
+const VS3: &str = "F 3\nV 1 0 0 0\nV 2 1 0 0\nV 3 0 1 0\nS 1 1 2 3 0 0 0 0.9 a\nE\n";
+
+const STL: &str = "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid a\n";
+
+const ROUNDED: &str = "normals of vertices are left out: faces are flat";
+
+const LEFT_OUT: &[LeftOut] = &[
+    LeftOut { format: Format::Ply, text: PLY, part: "0 0 0 0 0 1", more: "0 0 0 0 1 1", note: ROUNDED },
+    LeftOut {
+        format: Format::Ply,
+        text: PLY,
+        part: "property float nx\nproperty float ny\n",
+        more: "property float s\nproperty float t\n",
+        note: "texture coordinates are left out, and what textures they are of",
+    },
+    LeftOut {
+        format: Format::Ply,
+        text: PLY,
+        part: "property float nx\n",
+        more: "property float red\n",
+        note: "colours are left out",
+    },
+    LeftOut { format: Format::Obj, text: OBJ, part: "vn 0 0 2", more: "vn 0 1 2", note: ROUNDED },
+    LeftOut {
+        format: Format::Obj,
+        text: FLAT,
+        part: "f 1",
+        more: "s 1\nf 1",
+        note: "smoothing groups are left out: faces are flat",
+    },
+    LeftOut {
+        format: Format::Obj,
+        text: OBJ,
+        part: "usemap off",
+        more: "usemap wood",
+        note: "textures are left out",
+    },
+    LeftOut {
+        format: Format::Obj,
+        text: OBJ,
+        part: "s off",
+        more: "shadow_obj a.obj",
+        note: "objects for shadows and reflections are left out",
+    },
+    LeftOut { format: Format::Obj, text: OBJ, part: "s off", more: "p 1", note: "points are left out" },
+    LeftOut { format: Format::Obj, text: OBJ, part: "s off", more: "l 1 2", note: "lines are left out" },
+    LeftOut {
+        format: Format::Obj,
+        text: OBJ,
+        part: "s off",
+        more: "call a.obj",
+        note: "calls of other files and commands are left out",
+    },
+    LeftOut {
+        format: Format::Obj,
+        text: OBJ,
+        part: "a.mtl",
+        more: "b.mtl",
+        note: "the material 'unused' is left out: it has a colour that is none, and no face has it",
+    },
+    LeftOut {
+        format: Format::Obj,
+        text: OBJ,
+        part: "a.mtl",
+        more: "c.mtl",
+        note: "specular reflection is left out",
+    },
+    LeftOut {
+        format: Format::Gltf,
+        text: GLTF,
+        part: "KHR_texture_transform",
+        more: "KHR_materials_unlit",
+        note: "the extension KHR_materials_unlit is left out",
+    },
+    LeftOut {
+        format: Format::Gltf,
+        text: GLTF,
+        part: "[{\"nodes\": [0]}]",
+        more: "[{\"nodes\": [0]}, {\"nodes\": []}]",
+        note: "scenes of the file other than one are left out",
+    },
+    LeftOut { format: Format::Gltf, text: GLTF, part: "\"NORMAL\": 1", more: "\"NORMAL\": 0", note: ROUNDED },
+    LeftOut {
+        format: Format::Gltf,
+        text: GLTF,
+        part: "{\"mesh\": 0}",
+        more: "{\"mesh\": 0, \"skin\": 0}",
+        note: "skins are left out: meshes stand as they were modelled",
+    },
+    LeftOut {
+        format: Format::Gltf,
+        text: GLTF,
+        part: "\"skins\"",
+        more: "\"animations\": [{}], \"skins\"",
+        note: "animations are left out",
+    },
+    LeftOut {
+        format: Format::Gltf,
+        text: GLTF,
+        part: "\"material\": 0}",
+        more: "\"material\": 0, \"targets\": []}",
+        note: "morph targets are left out",
+    },
+    LeftOut {
+        format: Format::Mitsuba,
+        text: MITSUBA,
+        part: "<ref id=\"b\"/>",
+        more: "<ref id=\"b\"/><ref name=\"interior\" id=\"fog\"/>",
+        note: "'interior' of <shape type=\"disk\"> is left out",
+    },
+    LeftOut {
+        format: Format::Mitsuba,
+        text: MITSUBA,
+        part: "<ref id=\"b\"/>",
+        more: "<ref id=\"b\"/><medium type=\"homogeneous\" name=\"interior\"/>",
+        note: "'interior' of <shape type=\"disk\"> is left out",
+    },
+    LeftOut {
+        format: Format::Mgf,
+        text: MGF,
+        part: "c grey =\n",
+        more: "c grey =\n cxy .9 .9\nc\n",
+        note: "colours that are none, and that nothing has, are left out",
+    },
+    LeftOut {
+        format: Format::Mgf,
+        text: MGF,
+        part: " rd .5\n",
+        more: " rd .5\n td .2\n",
+        note: "diffuse transmission is left out",
+    },
+    LeftOut {
+        format: Format::Mgf,
+        text: MGF,
+        part: "f a b c\n",
+        more: "f a b c\nies lamp.ies\n",
+        note: "luminaires with measured light (ies) are left out",
+    },
+    LeftOut {
+        format: Format::Rad,
+        text: RAD,
+        part: "w sphere",
+        more: "void source sun 0 0 4 0 0 1 1\nw sphere",
+        note: "light from afar (source) is left out",
+    },
+    LeftOut {
+        format: Format::Rad,
+        text: RAD,
+        part: "w sphere",
+        more: "void mist m 0 0 0\nm sphere t 0 0 4 9 0 0 1\nw sphere",
+        note: "mist is left out",
+    },
+    LeftOut {
+        format: Format::Vs3,
+        text: VS3,
+        part: "F 3\n",
+        more: "F 3\nI 1\n",
+        note: "lines that begin with I are left out",
+    },
+    LeftOut {
+        format: Format::Vs3,
+        text: VS3,
+        part: "F 3\n",
+        more: "C encl=1\nF 3\n",
+        note: "encl=1, which adjusts view factors to an enclosure, is left out",
+    },
+    LeftOut {
+        format: Format::Stl,
+        text: STL,
+        part: "normal 0 0 1",
+        more: "normal 0 0 -1",
+        note: "normals that contradict the order of corners are left out",
+    },
+];
+
+/// The notes of a text, but that its fog has no place.
+fn noted(format: Format, text: &str) -> Vec<String> {
+    let numbers =
+        |rows: [[f32; 3]; 3]| rows.into_iter().flatten().flat_map(f32::to_le_bytes).collect::<Vec<u8>>();
+    let corners = numbers([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]);
+    let normals = numbers([[0.0, 0.0, 1.0]; 3]);
+    let unused = "newmtl a\nKd .5\nnewmtl unused\nKd 1 1 -1\n";
+    let files = Memory::of([
+        ("triangle.bin", [corners, normals].concat()),
+        ("a.mtl", b"newmtl a\nKd .5\nPc 0\n".to_vec()),
+        ("b.mtl", unused.as_bytes().to_vec()),
+        ("c.mtl", b"newmtl a\nKd .5\nPc 1\n".to_vec()),
+    ]);
+    let model =
+        read(format, "a", text.as_bytes(), &files).unwrap_or_else(|refusal| panic!("{refusal}\n{text}"));
+    let own = notes(&model).into_iter().map(str::to_owned);
+    own.filter(|note| note != "<medium> in <scene> is left out").collect()
+}
+
+#[test]
+fn what_is_left_out_is_named() {
+    for LeftOut { format, text, part, more, note } in LEFT_OUT {
+        assert_eq!(noted(*format, text), [""; 0], "{text}");
+        assert!(text.contains(part), "{part:?} is not in\n{text}");
+        assert_eq!(noted(*format, &text.replacen(part, more, 1)), [*note], "{more}");
+    }
+}
+
+/// A colour that is none counts where it is used.
+#[test]
+fn colours_that_are_none_are_refused_where_they_are_used() {
+    let files = Memory::of([("b.mtl", &b"newmtl a\nKd 1 1 -1\n"[..])]);
+    let refusal = read(Format::Obj, "a.obj", OBJ.replace("a.mtl", "b.mtl").as_bytes(), &files);
+    assert!(refusal.is_err_and(|refusal| refusal.to_string() == "b.mtl:2: Kd is -1, below 0"));
+    let used = MGF.replace("c grey =\n", "c grey =\n cxy .9 .9\n");
+    let refusal = read(Format::Mgf, "a.mgf", used.as_bytes(), &files);
+    assert!(refusal.is_err_and(|refusal| refusal.to_string().starts_with("a.mgf:7: no colour has")));
+}
