@@ -218,15 +218,21 @@ impl<'a> System<'a> {
     }
 
     /// I − √ρ G √ρ on the reflecting elements for the solver `method`: entry by entry where it is small and
-    /// not thin; elsewhere by its blocks, which solvers that only multiply take from G as it is.
+    /// not thin for so many right-hand sides; elsewhere by its blocks, which solvers that only multiply take from G
+    /// as it is.
     ///
     /// # Errors
     /// Values that are not finite.
-    pub fn operator(&self, method: &Method, threads: usize) -> Result<Box<dyn Operator + '_>, SolveError> {
+    pub fn operator(
+        &self,
+        method: &Method,
+        rights: usize,
+        threads: usize,
+    ) -> Result<Box<dyn Operator + '_>, SolveError> {
         let unknowns = self.unknown_count();
         let only_multiplies = method.only_multiplies();
         let is_thin = (self.blocks.stored_numbers() as f64) < THIN * (unknowns as f64).powi(2);
-        let most = if only_multiplies && is_thin { DIRECT } else { DENSE };
+        let most = if only_multiplies && is_thin { DENSE.min(DIRECT.saturating_mul(rights)) } else { DENSE };
         if unknowns <= most || !self.blocks.symmetric() || (self.coating.transmits() && !only_multiplies) {
             return Ok(Box::new(self.matrix()?));
         }
@@ -289,17 +295,20 @@ impl<'a> System<'a> {
     /// the unknown radiosity; then b = e + ρ h.
     pub fn coefficients(&self, unknowns: &[f64]) -> Coefficients {
         let unknown = self.unknown_radiosity(0..self.reflecting.len(), unknowns);
-        self.with_irradiance(&unknown, self.irradiance(&unknown), self.direct.clone())
+        let irradiance = self.irradiance(self.blocks.apply(&self.carried(&unknown)));
+        self.with_irradiance(&unknown, irradiance, self.direct.clone())
     }
 
-    /// h for the unknown radiosity √ρ y.
-    fn irradiance(&self, unknown: &[f64]) -> Vec<f64> {
+    /// The radiosity that G carries to find h for the unknown radiosity √ρ y.
+    fn carried(&self, unknown: &[f64]) -> Vec<f64> {
+        if self.apart.is_none() { sum(&self.known, unknown) } else { unknown.to_vec() }
+    }
+
+    /// h where `arrived` is G times [what it carries](Self::carried).
+    fn irradiance(&self, arrived: Vec<f64>) -> Vec<f64> {
         match &self.apart {
-            None => self.blocks.apply(&sum(&self.known, unknown)),
-            Some(apart) => {
-                let carried = sum(&self.first, &self.blocks.apply(unknown));
-                sum(apart, &carried)
-            }
+            None => arrived,
+            Some(apart) => sum(apart, &sum(&self.first, &arrived)),
         }
     }
 

@@ -71,6 +71,7 @@ pub(super) fn solve_band(
     let before = before.filter(|before| has_sizes_of(before, &rights));
     let is_lit = |right: &[f64]| right.iter().any(|value| *value != 0.0);
     let lit: Vec<f64> = rights.iter().filter(|right| is_lit(right)).flatten().copied().collect();
+    let lit_count = rights.iter().filter(|right| is_lit(right)).count();
     let mut unknowns = match before {
         None => vec![0.0; lit.len()],
         Some(before) => {
@@ -87,7 +88,9 @@ pub(super) fn solve_band(
         };
         let (operator, preconditioner) = match before {
             Some(_) if asked.only_multiplies() => first.product(options.preconditioner.into(), threads)?,
-            _ => first.operator(asked, options.preconditioner.into(), threads)?,
+            // Where iterations have a start, few products suffice.
+            Some(_) => first.operator(asked, options.preconditioner.into(), 1, threads)?,
+            None => first.operator(asked, options.preconditioner.into(), lit_count, threads)?,
         };
         let solver = first.solver(asked, operator.symmetric());
         // Only shooting needs it, and it costs as much as a basis.
@@ -117,6 +120,6 @@ pub(super) fn solve_band(
         own.map_or_else(|| vec![0.0; right.len()], <[f64]>::to_vec)
     };
     let unknowns: Vec<Vec<f64>> = rights.iter().map(own).collect();
-    let found = systems.iter().zip(&unknowns).map(|(system, own)| system.found(own)).collect();
+    let found = Ritz::found_of_each(systems, &unknowns);
     Ok(SolvedBand { found, unknowns, cost })
 }
