@@ -1,7 +1,9 @@
 //! The light of all bands: solved for, or summed over the first reflections.
 
 use radiosity_elements::Element;
+use radiosity_elements::coating::Coating;
 use radiosity_kernel::Blocks;
+use radiosity_light::first_bounce::DirectLightEntry;
 use radiosity_published::bases::Subspace;
 use radiosity_solvers::Step;
 use radiosity_solvers::method::Method;
@@ -128,10 +130,9 @@ impl BandSystems<'_> {
         emissions: &'a [Emission],
         first: &[EnteringLight],
     ) -> Vec<Ritz<'a>> {
-        let system = |(emission, first): (&'a Emission, &EnteringLight)| {
-            let coating = &emission.coatings[band];
-            Ritz::new(System::entered(self.elements, self.blocks, band, coating, &first.entry), self.subspace)
-        };
-        emissions.iter().zip(first).map(system).collect()
+        let entered = emissions.iter().zip(first).map(|(own, first)| (&own.coatings[band], &first.entry));
+        let entered: Vec<(&Coating, &DirectLightEntry)> = entered.collect();
+        let systems = System::entered(self.elements, self.blocks, band, &entered);
+        systems.into_iter().map(|system| Ritz::new(system, self.subspace)).collect()
     }
 }

@@ -296,11 +296,10 @@ impl Subject<'_> {
         let list = self.elements.list();
         let mut all = Vec::new();
         for (band, coatings) in self.bands.iter().enumerate() {
-            let groups = coatings.iter().zip(self.entries);
-            let systems: Vec<Ritz<'_>> = groups
-                .map(|(coating, entry)| System::entered(list, blocks, band, coating, entry))
-                .map(|system| Ritz::new(system, None))
-                .collect();
+            let groups: Vec<(&Coating, &DirectLightEntry)> =
+                coatings.iter().copied().zip(self.entries).collect();
+            let systems = System::entered(list, blocks, band, &groups).into_iter();
+            let systems: Vec<Ritz<'_>> = systems.map(|system| Ritz::new(system, None)).collect();
             let solved = solve_band(&systems, &rough, None, self.work, &mut |_| ())?;
             all.extend(solved.found.into_iter().map(|found| found.coefficients));
         }
