@@ -325,3 +325,39 @@ fn condition(a: &dyn Operator, factors: &dyn Factors) -> f64 {
     let one_norm = matrix(a).chunks_exact(dim.max(1)).map(size).fold(0.0, f64::max);
     one_norm * inverse_norm(factors, dim)
 }
+
+#[cfg(test)]
+mod many {
+    use crate::Dense;
+    use crate::lu::Lu;
+    use crate::partition::Partition;
+    use crate::solver::Solver;
+    use crate::{Settings, cholesky::Cholesky};
+
+    /// (I + u uᵀ / n) x = b has the solution x = b − u ⟨u, b⟩ / (n + ⟨u, u⟩).
+    #[test]
+    fn more_right_hand_sides_than_pass_at_once_are_all_solved_for() {
+        let (dim, columns) = (40, 71);
+        let u: Vec<f64> = (0..dim).map(|i| 1.0 + (i % 5) as f64).collect();
+        let product = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+        let entry = |k: usize| {
+            let (i, j) = (k % dim, k / dim);
+            f64::from(u8::from(i == j)) + u[i] * u[j] / dim as f64
+        };
+        let values = (0..dim * dim).map(entry).collect();
+        let a = Dense::new(Partition::new(&[dim]), values, true).expect("a matrix");
+        // One of them is 0.
+        let b: Vec<f64> = (0..dim * columns).map(|k| (k / dim % 50) as f64 * (k % 13) as f64).collect();
+        for solver in [&Cholesky as &dyn Solver, &Lu] {
+            let mut x = vec![f64::NAN; b.len()];
+            let reports = solver.solve_many(&a, &b, &mut x, &Settings::default(), &mut |_| ());
+            assert_eq!(reports.expect("they are solved for").len(), columns);
+            for (x, b) in x.chunks_exact(dim).zip(b.chunks_exact(dim)) {
+                let part = product(&u, b) / (dim as f64 + product(&u, &u));
+                for ((x, b), u) in x.iter().zip(b).zip(&u) {
+                    assert!((x - (b - u * part)).abs() <= 1e-11 * 600.0, "{x}");
+                }
+            }
+        }
+    }
+}

@@ -268,3 +268,92 @@ impl<'a> Shares<'a> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use radiosity_elements::{Discretization, Elements};
+    use radiosity_geom::shapes::Parallelogram;
+    use radiosity_scene::{Material, SceneBuilder};
+
+    use super::*;
+
+    /// 20 × 20 lamps that shine down from a height of 3, and as many that shine up from a depth of 1.
+    fn elements() -> Elements {
+        let mut builder = SceneBuilder::new("lamps", ["grey"]);
+        let lamp = builder.material("lamp", Material::new(vec![0.0], vec![1.0]).expect("a lamp"));
+        for k in 0..800 {
+            let (row, column, is_low) = (k / 20 % 20, k % 20, k >= 400);
+            let corner = DVec3::new(f64::from(column), f64::from(row), if is_low { -1.0 } else { 3.0 });
+            let [a, b] = if is_low { [DVec3::X, DVec3::Y] } else { [DVec3::Y, DVec3::X] };
+            let shape = Parallelogram::new(corner, 0.3 * a, 0.3 * b).expect("a lamp");
+            builder.surface(format!("lamp{k}"), Arc::new(shape), &lamp);
+        }
+        let scene = builder.build().expect("a scene");
+        let coarse = Discretization { order: 0, subdivide: Some(1), ..Discretization::default() };
+        Elements::new(&scene, &coarse).expect("elements")
+    }
+
+    fn receivers() -> Vec<ReceiverPoint> {
+        let places = [[9.7, 9.1, 0.0], [0.2, 19.0, 2.95], [30.0, 4.0, 1.0], [5.5, 5.5, -0.9]];
+        let normals = [DVec3::Z, DVec3::NEG_X, DVec3::new(0.6, 0.0, 0.8), DVec3::NEG_Z];
+        places
+            .into_iter()
+            .flat_map(|place| normals.map(|normal| ReceiverPoint::on(usize::MAX, DVec3::from(place), normal)))
+            .collect()
+    }
+
+    /// ∫ q dA = 1 over all emitters, each has a share where it may send light, and the points that are chosen have the
+    /// density that is told.
+    #[test]
+    fn many_emitters_have_shares_that_sum_to_one() {
+        let elements = elements();
+        let list = elements.list();
+        let lamps = Lamps::by(list, |element| 1.0 + (element % 7) as f64);
+        assert!(lamps.tree.is_some());
+        for receiver in receivers() {
+            let shares = lamps.seen_from(&receiver);
+            let bounds: Vec<f64> = lamps.list.iter().map(|lamp| lamp.bound(&receiver)).collect();
+            if shares.is_empty() {
+                assert!(bounds.iter().all(|bound| *bound == 0.0));
+                continue;
+            }
+            let share = |lamp: &Lamp| shares.density(lamp.element) * lamp.area;
+            let all: f64 = lamps.list.iter().map(share).sum();
+            assert!((all - 1.0).abs() < 1e-12, "{all}");
+            for (lamp, bound) in lamps.list.iter().zip(&bounds) {
+                assert!(*bound == 0.0 || share(lamp) > 0.0, "{} gets nothing of {bound}", lamp.element);
+            }
+            let count = 40_000;
+            let mut met = vec![0; list.len()];
+            for k in 0..count {
+                let target = shares.target([(f64::from(k) + 0.5) / f64::from(count), 0.5, 0.5]);
+                assert_eq!(target.density, shares.density(target.element));
+                met[target.element] += 1;
+            }
+            for lamp in &lamps.list {
+                let expected = share(lamp) * f64::from(count);
+                assert!((f64::from(met[lamp.element]) - expected).abs() <= 2.0, "{expected}");
+            }
+        }
+    }
+
+    /// A node errs by the square of (1 ± 1/4) in distance, and by its cosines.
+    #[test]
+    fn many_emitters_get_about_what_they_send() {
+        let elements = elements();
+        let lamps = Lamps::by(elements.list(), |_| 1.0);
+        let receiver = ReceiverPoint::on(usize::MAX, DVec3::new(9.7, 9.1, 0.0), DVec3::Z);
+        let shares = lamps.seen_from(&receiver);
+        let bounds: Vec<f64> = lamps.list.iter().map(|lamp| lamp.bound(&receiver)).collect();
+        let all: f64 = bounds.iter().sum();
+        let weight = |(lamp, bound): (&Lamp, &f64)| {
+            let share = shares.density(lamp.element) * lamp.area;
+            if *bound > 0.0 { (bound / all).powi(2) / share } else { 0.0 }
+        };
+        let second: f64 = lamps.list.iter().zip(&bounds).map(weight).sum();
+        assert!((1.0..1.1).contains(&second), "{second}");
+        assert!(shares.parts.len() < lamps.list.len() / 3, "{}", shares.parts.len());
+    }
+}
