@@ -291,8 +291,7 @@ mod tests {
             builder.surface(format!("lamp{k}"), Arc::new(shape), &lamp);
         }
         let scene = builder.build().expect("a scene");
-        let coarse = Discretization { order: 0, subdivide: Some(1), ..Discretization::default() };
-        Elements::new(&scene, &coarse).expect("elements")
+        Elements::new(&scene, &Discretization::uniform(0, 1)).expect("elements")
     }
 
     fn receivers() -> Vec<ReceiverPoint> {
@@ -339,7 +338,8 @@ mod tests {
         }
     }
 
-    /// A node errs by the square of (1 ± 1/4) in distance, and by its cosines.
+    /// In a node 1/d² varies from m to M = (1.25/0.75)² m. Shares that are even over it have a second moment of at most
+    /// (m + M)²/(4 m M) = 1.29 (Kantorovich's inequality); cosines are not in this bound.
     #[test]
     fn many_emitters_get_about_what_they_send() {
         let elements = elements();
@@ -353,7 +353,7 @@ mod tests {
             if *bound > 0.0 { (bound / all).powi(2) / share } else { 0.0 }
         };
         let second: f64 = lamps.list.iter().zip(&bounds).map(weight).sum();
-        assert!((1.0..1.1).contains(&second), "{second}");
+        assert!((1.0..1.29).contains(&second), "{second}");
         assert!(shares.parts.len() < lamps.list.len() / 3, "{}", shares.parts.len());
     }
 }

@@ -18,7 +18,7 @@ use super::Lamp;
 use crate::receiver_point::ReceiverPoint;
 
 /// Radius of a node over its distance, below which it is not opened: d² then varies by a factor of 2.8 within it.
-/// Chosen: variance grows by less than a tenth, and a few dozen nodes stand for thousands of emitters.
+/// Chosen. Measured below two layers of 400 lamps: the second moment of a choice is 1.12 for 1.00 by single emitters.
 const FAR: f64 = 0.25;
 
 /// Cosine of two normals above which they are one. Chosen: flat emitters are parallel to rounding, or not at all.
