@@ -406,7 +406,7 @@ proptest! {
         let blocks = blocks_of(&elements, &visibility, accuracy);
         let coating = Coating::constant(reflectances, exitances);
         let ritz = Ritz::new(System::new(elements.list(), &blocks, &coating), None);
-        let (operator, _) = ritz.operator(&Method::CG, Preconditioner::Block, 1).expect("it is finite");
+        let (operator, _) = ritz.operator(&Method::CG, Preconditioner::Block, 1, 1).expect("it is finite");
         let right = ritz.right_hand_side();
         let mut unknowns = vec![0.0; right.len()];
         let mut values = Vec::new();

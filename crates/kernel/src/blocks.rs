@@ -6,6 +6,7 @@
 
 pub mod block;
 pub mod held_rows;
+mod lanes;
 pub(crate) mod worst_error;
 pub(crate) mod placed_block;
 pub(crate) mod pair_counts;
@@ -24,6 +25,7 @@ use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
 use held_rows::HeldRows;
+use lanes::Lanes;
 use placed_block::PlacedBlock;
 use statistics::BlockStatistics;
 
@@ -285,6 +287,43 @@ impl Blocks {
         self.add_chunks(&self.stored, &|block, y| self.add(block, x, y), &mut own);
         self.add_chunks(&self.crosses, &|block, y| self.add_cross(block, x, y), &mut own);
         self.completed(&own)
+    }
+
+    /// y = G x for each of several x, which pass the blocks together.
+    pub fn apply_to_each(&self, all: &[Vec<f64>]) -> Vec<Vec<f64>> {
+        if let [x] = all {
+            return vec![self.apply(x)];
+        }
+        let bundles = all.par_chunks(lanes::WIDTH).map(|bundle| self.apply_to_lanes(&Lanes::of(bundle)));
+        let products = bundles.collect::<Vec<_>>();
+        let each = |(bundle, product): (&[Vec<f64>], Lanes)| {
+            (0..bundle.len()).map(move |lane| product.lane(lane)).collect::<Vec<_>>()
+        };
+        let own = all.chunks(lanes::WIDTH).zip(products).flat_map(each);
+        own.map(|own| self.completed(&own)).collect()
+    }
+
+    /// The rows of this rank of G x in each lane.
+    fn apply_to_lanes(&self, x: &Lanes) -> Lanes {
+        check_interrupt();
+        let mut own = Lanes::zero(self.held.coefficients().len());
+        self.stored.own.iter().for_each(|block| self.add_to_lanes(block, self.entries(block), x, &mut own));
+        for cross in &self.crosses.own {
+            self.add_to_lanes(cross, &self.filled(cross), x, &mut own);
+        }
+        own
+    }
+
+    /// As [`Blocks::add`] for the entries of a block, in each lane.
+    fn add_to_lanes(&self, stored: &Stored, entries: &[f64], x: &Lanes, own: &mut Lanes) {
+        let (row, column) = (stored.row as usize, stored.column as usize);
+        let (rows, columns) = (self.range(row), self.range(column));
+        if self.held.has(row) {
+            own.add_product(self.place(&rows), entries, x, columns.clone());
+        }
+        if self.symmetric && row != column && self.held.has(column) {
+            own.add_transposed_product(self.place(&columns), entries, x, rows);
+        }
     }
 
     /// A product of which this rank has summed its `own` rows.

@@ -126,57 +126,57 @@ impl Coefficients {
 impl<'a> System<'a> {
     /// The system of `coating` over `elements`: G, given by `blocks`, transports all light.
     pub fn new(elements: &'a [Element], blocks: &'a Blocks, coating: &'a Coating) -> Self {
-        let emitted = emitted(elements, coating);
-        let (known, first) = (emitted.clone(), blocks.apply(&emitted));
-        let reflecting = reflecting(coating);
-        let direct = first.clone();
-        let (apart, is_split) = (None, false);
-        Self { elements, blocks, coating, reflecting, emitted, known, apart, direct, first, is_split }
+        Self::entered(elements, blocks, 0, &[(coating, &DirectLightEntry::Carried)]).remove(0)
     }
 
-    /// The system of band number `band`, into which direct light enters in this way.
-    pub(crate) fn entered(
+    /// The systems of band number `band` for some coatings, into each of which direct light enters in its way.
+    pub(crate) fn entered<'e>(
+        elements: &'a [Element],
+        blocks: &'a Blocks,
+        band: usize,
+        all: &[(&'a Coating, &'e DirectLightEntry)],
+    ) -> Vec<Self> {
+        let sent = all.iter().flat_map(|(own, entry)| sent_first(elements, blocks, band, own, entry));
+        let mut arrived = blocks.apply_to_each(&sent.collect::<Vec<_>>()).into_iter();
+        let of = |(coating, entry): &(&'a Coating, &'e DirectLightEntry)| {
+            Self::where_arrived(elements, blocks, band, coating, entry, &mut arrived)
+        };
+        all.iter().map(of).collect()
+    }
+
+    /// The system where G times what is [sent first](sent_first) has `arrived`.
+    fn where_arrived(
         elements: &'a [Element],
         blocks: &'a Blocks,
         band: usize,
         coating: &'a Coating,
         entry: &DirectLightEntry,
+        arrived: &mut dyn Iterator<Item = Vec<f64>>,
     ) -> Self {
-        match entry {
-            DirectLightEntry::Carried => Self::new(elements, blocks, coating),
-            DirectLightEntry::Lit(lit) => Self::lit(elements, blocks, coating, lit[band].clone()),
+        let mut next = || arrived.next().expect("all that is sent arrives");
+        let emitted = emitted(elements, coating);
+        let known = |lit: &[f64]| radiosity(elements, coating, lit);
+        let (known, apart, direct, first, is_split) = match entry {
+            DirectLightEntry::Carried => {
+                let first = next();
+                (emitted.clone(), None, first.clone(), first, false)
+            }
+            DirectLightEntry::Lit(lit) => {
+                let lit = lit[band].clone();
+                let direct = sum(&lit, &next());
+                (known(&lit), Some(lit), direct, next(), false)
+            }
             DirectLightEntry::Arrived(direct) => {
                 let direct = direct[band].clone();
-                let once = blocks.apply(&coating.reflected(blocks.starts(), &direct));
-                Self::split(elements, blocks, coating, direct, once)
+                (known(&direct), Some(direct.clone()), direct, next(), true)
             }
             DirectLightEntry::Split(Bounce { direct, reflected, .. }) => {
-                Self::split(elements, blocks, coating, direct[band].clone(), reflected[band].clone())
+                let direct = direct[band].clone();
+                (known(&direct), Some(direct.clone()), direct, reflected[band].clone(), true)
             }
-        }
-    }
-
-    /// The system with luminaires, whose irradiance has the coefficients `lit`.
-    fn lit(elements: &'a [Element], blocks: &'a Blocks, coating: &'a Coating, lit: Vec<f64>) -> Self {
-        let emitted = emitted(elements, coating);
-        let known = radiosity(elements, coating, &lit);
-        let (direct, first) = (sum(&lit, &blocks.apply(&emitted)), blocks.apply(&known));
-        let (reflecting, apart, is_split) = (reflecting(coating), Some(lit), false);
+        };
+        let reflecting = reflecting(coating);
         Self { elements, blocks, coating, reflecting, emitted, known, apart, direct, first, is_split }
-    }
-
-    /// The system with direct light split off; `direct` are the coefficients d, `once` the coefficients g.
-    fn split(
-        elements: &'a [Element],
-        blocks: &'a Blocks,
-        coating: &'a Coating,
-        direct: Vec<f64>,
-        once: Vec<f64>,
-    ) -> Self {
-        let emitted = emitted(elements, coating);
-        let known = radiosity(elements, coating, &direct);
-        let (reflecting, apart, first) = (reflecting(coating), Some(direct.clone()), once);
-        Self { elements, blocks, coating, reflecting, emitted, known, apart, direct, first, is_split: true }
     }
 
     /// I − √ρ G √ρ on the reflecting elements.
@@ -218,15 +218,21 @@ impl<'a> System<'a> {
     }
 
     /// I − √ρ G √ρ on the reflecting elements for the solver `method`: entry by entry where it is small and
-    /// not thin; elsewhere by its blocks, which solvers that only multiply take from G as it is.
+    /// not thin for so many right-hand sides; elsewhere by its blocks, which solvers that only multiply take from G
+    /// as it is.
     ///
     /// # Errors
     /// Values that are not finite.
-    pub fn operator(&self, method: &Method, threads: usize) -> Result<Box<dyn Operator + '_>, SolveError> {
+    pub fn operator(
+        &self,
+        method: &Method,
+        rights: usize,
+        threads: usize,
+    ) -> Result<Box<dyn Operator + '_>, SolveError> {
         let unknowns = self.unknown_count();
         let only_multiplies = method.only_multiplies();
         let is_thin = (self.blocks.stored_numbers() as f64) < THIN * (unknowns as f64).powi(2);
-        let most = if only_multiplies && is_thin { DIRECT } else { DENSE };
+        let most = if only_multiplies && is_thin { DENSE.min(DIRECT.saturating_mul(rights)) } else { DENSE };
         if unknowns <= most || !self.blocks.symmetric() || (self.coating.transmits() && !only_multiplies) {
             return Ok(Box::new(self.matrix()?));
         }
@@ -289,17 +295,20 @@ impl<'a> System<'a> {
     /// the unknown radiosity; then b = e + ρ h.
     pub fn coefficients(&self, unknowns: &[f64]) -> Coefficients {
         let unknown = self.unknown_radiosity(0..self.reflecting.len(), unknowns);
-        self.with_irradiance(&unknown, self.irradiance(&unknown), self.direct.clone())
+        let irradiance = self.irradiance(self.blocks.apply(&self.carried(&unknown)));
+        self.with_irradiance(&unknown, irradiance, self.direct.clone())
     }
 
-    /// h for the unknown radiosity √ρ y.
-    fn irradiance(&self, unknown: &[f64]) -> Vec<f64> {
+    /// The radiosity that G carries to find h for the unknown radiosity √ρ y.
+    fn carried(&self, unknown: &[f64]) -> Vec<f64> {
+        if self.apart.is_none() { sum(&self.known, unknown) } else { unknown.to_vec() }
+    }
+
+    /// h where `arrived` is G times [what it carries](Self::carried).
+    fn irradiance(&self, arrived: Vec<f64>) -> Vec<f64> {
         match &self.apart {
-            None => self.blocks.apply(&sum(&self.known, unknown)),
-            Some(apart) => {
-                let carried = sum(&self.first, &self.blocks.apply(unknown));
-                sum(apart, &carried)
-            }
+            None => arrived,
+            Some(apart) => sum(apart, &sum(&self.first, &arrived)),
         }
     }
 
@@ -454,6 +463,24 @@ fn relative_residual(size: f64, emitted: &[f64], known: Option<&[f64]>) -> f64 {
 /// Elements that reflect or transmit, ascending.
 fn reflecting(coating: &Coating) -> Vec<usize> {
     (0..coating.reflectance.len()).filter(|i| coating.scatters(*i)).collect()
+}
+
+/// The radiosities that G carries first: e; e and e + ρ l; ρ d; or none.
+fn sent_first(
+    elements: &[Element],
+    blocks: &Blocks,
+    band: usize,
+    coating: &Coating,
+    entry: &DirectLightEntry,
+) -> Vec<Vec<f64>> {
+    match entry {
+        DirectLightEntry::Carried => vec![emitted(elements, coating)],
+        DirectLightEntry::Lit(lit) => {
+            vec![emitted(elements, coating), radiosity(elements, coating, &lit[band])]
+        }
+        DirectLightEntry::Arrived(direct) => vec![coating.reflected(blocks.starts(), &direct[band])],
+        DirectLightEntry::Split(_) => Vec::new(),
+    }
 }
 
 /// e, the coefficients of the emitted exitance.

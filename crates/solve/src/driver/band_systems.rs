@@ -1,7 +1,11 @@
 //! The light of all bands: solved for, or summed over the first reflections.
 
+use std::ops::Range;
+
 use radiosity_elements::Element;
+use radiosity_elements::coating::Coating;
 use radiosity_kernel::Blocks;
+use radiosity_light::first_bounce::DirectLightEntry;
 use radiosity_published::bases::Subspace;
 use radiosity_solvers::Step;
 use radiosity_solvers::method::Method;
@@ -17,7 +21,7 @@ use super::options::Options;
 use super::outcome::Functional;
 use super::shooting::ShotLight;
 use super::shots::Shots;
-use super::solve_band::{SolveCost, solve_band};
+use super::solve_band::{SolveCost, SystemsOfBand, solve_band};
 use super::unknowns::Unknowns;
 
 /// The data from which the light of all bands follows.
@@ -70,22 +74,25 @@ impl BandSystems<'_> {
         let mut light: Vec<Vec<Coefficients>> = emissions.iter().map(|_| Vec::new()).collect();
         let (mut costs, mut functionals, mut unknowns) = (Vec::new(), Vec::new(), Vec::new());
         for (band, name) in self.names.iter().enumerate() {
-            let systems = self.systems(band, emissions, first);
+            let of = |range: Range<usize>| self.systems(band, &emissions[range.clone()], &first[range]);
+            let systems = SystemsOfBand { count: emissions.len(), of: &of };
             let mut observe = |step: &Step<'_>| {
                 let Step { iteration, residual, .. } = *step;
                 work.report(Progress::Iteration { band, of: self.names.len(), iteration, residual });
             };
-            let solved = solve_band(&systems, self.options, before.band(band), work, &mut observe)
-                .map_err(|source| Failure::Solver { band: name.clone(), source })?;
-            for ((light, emission), found) in light.iter_mut().zip(emissions).zip(solved.found) {
-                let RitzSolution { coefficients, functional } = found;
+            let mut lit = light.iter_mut().zip(emissions);
+            let mut take = |RitzSolution { coefficients, functional }: RitzSolution| {
+                let Some((light, emission)) = lit.next() else { return };
                 light.push(coefficients);
                 // Where the system is not symmetric, the solution is no minimum.
                 let is_symmetric = self.blocks.symmetric() && !emission.coatings[band].transmits();
                 let (band, group) = (name.clone(), emission.group.clone());
                 let own = Functional { band, group, value: functional };
                 functionals.extend(is_symmetric.then_some(own));
-            }
+            };
+            let before = before.band(band);
+            let solved = solve_band(&systems, self.options, before, work, &mut observe, &mut take)
+                .map_err(|source| Failure::Solver { band: name.clone(), source })?;
             costs.extend(solved.cost);
             unknowns.push(solved.unknowns);
         }
@@ -128,10 +135,9 @@ impl BandSystems<'_> {
         emissions: &'a [Emission],
         first: &[EnteringLight],
     ) -> Vec<Ritz<'a>> {
-        let system = |(emission, first): (&'a Emission, &EnteringLight)| {
-            let coating = &emission.coatings[band];
-            Ritz::new(System::entered(self.elements, self.blocks, band, coating, &first.entry), self.subspace)
-        };
-        emissions.iter().zip(first).map(system).collect()
+        let entered = emissions.iter().zip(first).map(|(own, first)| (&own.coatings[band], &first.entry));
+        let entered: Vec<(&Coating, &DirectLightEntry)> = entered.collect();
+        let systems = System::entered(self.elements, self.blocks, band, &entered);
+        systems.into_iter().map(|system| Ritz::new(system, self.subspace)).collect()
     }
 }

@@ -6,7 +6,8 @@
 //! ```text
 //! elements   Σ (8 m_i² + 3000)             (bases; patches, hulls, coefficients)
 //! blocks     2 · 8 Σ_P m_i m_j + 300 |P|   (as integrated, and as stored; data of each pair)
-//! system     8 n² , twice for a solver that factors the matrix, up to 3000 unknowns and for such a solver;
+//! system     8 n² , twice for a solver that factors the matrix, up to 3000 unknowns and for such a solver, which
+//!            many light groups ask for;
 //!            320 n above that for a solver that only multiplies, and twice the blocks for others
 //! groups     8 g (2 b + 8) Σ m_i          (g light groups in b bands: what is kept, and the work on one band)
 //! kept       elements and blocks once more, 300 |P|, and 96 for each ray, where the next scene differs in
@@ -84,7 +85,7 @@ impl MemoryEstimate {
         let own = Self::of_blocks(scene, sizes);
         let (unknowns, ranks) = (most_unknowns(scene, sizes), ranks.count() as u64);
         let gathered = gathered(solver, unknowns, own.blocks, ranks);
-        let system = system(solver, unknowns, own.blocks) + gathered + groups(scene, sizes);
+        let system = system(solver, unknowns, own.blocks, rights(scene)) + gathered + groups(scene, sizes);
         Self { blocks: held(own.blocks, ranks), system, ..own }
     }
 
@@ -147,7 +148,8 @@ impl MemoryEstimate {
         let own = held(numbers, ranks);
         // Sums of two halves while rays are sent; then the blocks, of each half at its time, and the system.
         let gathered = gathered(solver, unknowns, numbers, ranks);
-        let system = own + system(solver, unknowns, numbers) + gathered + groups(scene, &sizes);
+        let system =
+            own + system(solver, unknowns, numbers, rights(scene)) + gathered + groups(scene, &sizes);
         let elements = elements.sum();
         let kept = 3 * KEPT_RAY * rays.saturating_add(rays / 8).min(MOST_KEPT);
         // Pairs are carried exactly where more rays than their least price are expected.
@@ -196,12 +198,17 @@ fn groups(scene: &Scene, sizes: &[CutSize]) -> u64 {
     NUMBER * count * (KEPT * scene.bands.len() as u64 + AT_WORK) * coefficients
 }
 
-/// Bytes of the system of a band with so many unknowns, and blocks of so many bytes.
-fn system(solver: &Method, unknowns: u64, blocks: u64) -> u64 {
+/// Right-hand sides of the system of a band: one for each light group, and one for the rest.
+fn rights(scene: &Scene) -> u64 {
+    1 + scene.light_groups().len() as u64
+}
+
+/// Bytes of the system of a band with so many unknowns, blocks of so many bytes, and so many right-hand sides.
+fn system(solver: &Method, unknowns: u64, blocks: u64, rights: u64) -> u64 {
     let matrix = NUMBER * unknowns * unknowns;
     match solver.access {
         Access::Entries => 2 * matrix,
-        Access::BySize if unknowns <= DIRECT as u64 => 2 * matrix,
+        Access::BySize if unknowns <= (DENSE as u64).min(DIRECT as u64 * rights) => 2 * matrix,
         _ if unknowns <= DENSE as u64 => matrix,
         Access::Products | Access::BySize => NUMBER * unknowns * VECTORS,
         // Blocks and their transposes.

@@ -1,5 +1,6 @@
 //! The linear systems of one band: one matrix, a right-hand side for each light group.
 
+use std::ops::Range;
 use std::time::Duration;
 
 use radiosity_solvers::method::Access;
@@ -16,6 +17,26 @@ use super::unknowns::has_sizes_of;
 /// waits as long without noticing.
 pub(super) const LEAST: Duration = Duration::from_secs(1);
 
+/// Systems that are held at a time: enough to fill the bundles in which they pass the blocks. Chosen: each takes four
+/// vectors.
+const AT_A_TIME: usize = 64;
+
+/// The systems of one band, which differ in their emission alone, made when they are wanted.
+pub(super) struct SystemsOfBand<'s, 'a> {
+    pub count: usize,
+    /// The systems of a range of numbers.
+    pub of: &'s dyn Fn(Range<usize>) -> Vec<Ritz<'a>>,
+}
+
+impl<'a> SystemsOfBand<'_, 'a> {
+    /// The systems, some after the others, with their numbers.
+    fn some(&self) -> impl Iterator<Item = (Range<usize>, Vec<Ritz<'a>>)> {
+        let starts = (0..self.count).step_by(AT_A_TIME);
+        let ranges = starts.map(|start| start..self.count.min(start + AT_A_TIME));
+        ranges.map(|range| (range.clone(), (self.of)(range)))
+    }
+}
+
 /// The cost of a band's linear system.
 pub(super) struct SolveCost {
     pub solver: &'static str,
@@ -25,8 +46,6 @@ pub(super) struct SolveCost {
 
 /// The solutions of the systems of a band.
 pub(super) struct SolvedBand {
-    /// The solution of each system.
-    pub found: Vec<RitzSolution>,
     /// The unknowns of each system.
     pub unknowns: Vec<Vec<f64>>,
     /// None where nothing shines.
@@ -52,7 +71,7 @@ fn cost_of(
     }
 }
 
-/// Solves the systems of one band, which differ in their emission alone. Without light there is nothing to
+/// Solves the systems of one band, and passes their solutions on one after the other. Without light there is nothing to
 /// solve, and no cost. Several ranks, whose clocks differ, go on to the end.
 ///
 /// Iterations start from the unknowns `before` of each system, those of a similar scene: what is then solved
@@ -61,16 +80,20 @@ fn cost_of(
 /// # Errors
 /// Those of the solver.
 pub(super) fn solve_band(
-    systems: &[Ritz<'_>],
+    systems: &SystemsOfBand<'_, '_>,
     options: &Options,
     before: Option<&[Vec<f64>]>,
     work: &Work<'_>,
     observe: &mut dyn FnMut(&Step<'_>),
+    take: &mut dyn FnMut(RitzSolution),
 ) -> Result<SolvedBand, SolveError> {
-    let rights: Vec<Vec<f64>> = systems.iter().map(Ritz::right_hand_side).collect();
+    let right =
+        |(_, some): (Range<usize>, Vec<Ritz<'_>>)| some.iter().map(Ritz::right_hand_side).collect::<Vec<_>>();
+    let rights: Vec<Vec<f64>> = systems.some().flat_map(right).collect();
     let before = before.filter(|before| has_sizes_of(before, &rights));
     let is_lit = |right: &[f64]| right.iter().any(|value| *value != 0.0);
     let lit: Vec<f64> = rights.iter().filter(|right| is_lit(right)).flatten().copied().collect();
+    let lit_count = rights.iter().filter(|right| is_lit(right)).count();
     let mut unknowns = match before {
         None => vec![0.0; lit.len()],
         Some(before) => {
@@ -79,7 +102,8 @@ pub(super) fn solve_band(
         }
     };
     let mut cost = None;
-    if let Some(first) = systems.first().filter(|_| !lit.is_empty()) {
+    if !lit.is_empty() {
+        let first = &(systems.of)(0..1)[0];
         let threads = work.ranks.threads(options.threads);
         let asked = match before {
             Some(_) if options.solver.access == Access::BySize => first.multiplying(),
@@ -87,7 +111,9 @@ pub(super) fn solve_band(
         };
         let (operator, preconditioner) = match before {
             Some(_) if asked.only_multiplies() => first.product(options.preconditioner.into(), threads)?,
-            _ => first.operator(asked, options.preconditioner.into(), threads)?,
+            // Where iterations have a start, few products suffice.
+            Some(_) => first.operator(asked, options.preconditioner.into(), 1, threads)?,
+            None => first.operator(asked, options.preconditioner.into(), lit_count, threads)?,
         };
         let solver = first.solver(asked, operator.symmetric());
         // Only shooting needs it, and it costs as much as a basis.
@@ -117,6 +143,8 @@ pub(super) fn solve_band(
         own.map_or_else(|| vec![0.0; right.len()], <[f64]>::to_vec)
     };
     let unknowns: Vec<Vec<f64>> = rights.iter().map(own).collect();
-    let found = systems.iter().zip(&unknowns).map(|(system, own)| system.found(own)).collect();
-    Ok(SolvedBand { found, unknowns, cost })
+    for (range, some) in systems.some() {
+        Ritz::found_of_each(&some, &unknowns[range]).into_iter().for_each(&mut *take);
+    }
+    Ok(SolvedBand { unknowns, cost })
 }

@@ -12,6 +12,8 @@
 //! difference of these two solutions is about the error of the solution by all rays. (Rays by brightness: P.
 //! Hanrahan, D. Salzman, L. Aupperle, SIGGRAPH 1991, 197-206, for links.)
 
+use std::ops::Range;
+
 use radiosity_elements::coating::Coating;
 use radiosity_elements::{Element, Elements};
 use radiosity_kernel::{Accuracy, Blocks};
@@ -22,14 +24,14 @@ use radiosity_transport::{KeptBlocks, Rays, SampledTransport};
 use radiosity_visibility::Visibility;
 use radiosity_work::{Deadline, Progress, Work};
 
-use crate::system::ritz::Ritz;
+use crate::system::ritz::{Ritz, RitzSolution};
 use crate::system::{Coefficients, System};
 
 use super::kept_model::KeptModel;
 use super::light_shares::LightShares;
 use super::options::Options;
 use super::sampling::Sampling;
-use super::solve_band::solve_band;
+use super::solve_band::{SystemsOfBand, solve_band};
 
 /// Share of the rays that the pilot sends, one round of them at most. Between 0.05 and 0.2 errors
 /// changed by less than a tenth of themselves.
@@ -244,8 +246,7 @@ impl Subject<'_> {
         let area = self.area();
         let mut bright = vec![0.0; self.elements.list().len()];
         let mut bands = 0.0;
-        for solved in self.solved(blocks)? {
-            let radiosity = self.elements.means(&solved.radiosity);
+        for radiosity in self.solved(blocks, &|solved| self.elements.means(&solved.radiosity))? {
             let power: f64 = radiosity
                 .iter()
                 .zip(self.elements.list())
@@ -284,25 +285,30 @@ impl Subject<'_> {
         rays: Rays,
     ) -> Result<Vec<Vec<f64>>, SolveError> {
         let blocks = transport.blocks(rays);
-        let solved = self.solved(&blocks)?;
-        Ok(solved.iter().map(|solved| self.elements.means(&solved.irradiance)).collect())
+        self.solved(&blocks, &|solved| self.elements.means(&solved.irradiance))
     }
 
-    /// Rough solutions, band by band and group by group.
-    fn solved(&self, blocks: &Blocks) -> Result<Vec<Coefficients>, SolveError> {
+    /// The figures `of` rough solutions, band by band and group by group.
+    fn solved(
+        &self,
+        blocks: &Blocks,
+        of: &dyn Fn(Coefficients) -> Vec<f64>,
+    ) -> Result<Vec<Vec<f64>>, SolveError> {
         let method = &Method::AUTO;
         let tolerance = ROUGH.max(self.options.tolerance);
         let rough = Options { tolerance, solver: method, keep_partial: false, ..*self.options };
         let list = self.elements.list();
         let mut all = Vec::new();
         for (band, coatings) in self.bands.iter().enumerate() {
-            let groups = coatings.iter().zip(self.entries);
-            let systems: Vec<Ritz<'_>> = groups
-                .map(|(coating, entry)| System::entered(list, blocks, band, coating, entry))
-                .map(|system| Ritz::new(system, None))
-                .collect();
-            let solved = solve_band(&systems, &rough, None, self.work, &mut |_| ())?;
-            all.extend(solved.found.into_iter().map(|found| found.coefficients));
+            let groups: Vec<(&Coating, &DirectLightEntry)> =
+                coatings.iter().copied().zip(self.entries).collect();
+            let systems = |range: Range<usize>| {
+                let systems = System::entered(list, blocks, band, &groups[range]).into_iter();
+                systems.map(|system| Ritz::new(system, None)).collect()
+            };
+            let systems = SystemsOfBand { count: groups.len(), of: &systems };
+            let mut take = |found: RitzSolution| all.push(of(found.coefficients));
+            solve_band(&systems, &rough, None, self.work, &mut |_| (), &mut take)?;
         }
         Ok(all)
     }

@@ -100,11 +100,12 @@ impl<'a> Ritz<'a> {
     ) -> Result<(Box<dyn Operator + '_>, Preconditioner), SolveError> {
         match self.reduction {
             None if self.system.is_symmetric() => Ok((self.system.product(), asked)),
-            _ => self.operator(self.multiplying(), asked, threads),
+            _ => self.operator(self.multiplying(), asked, 1, threads),
         }
     }
 
-    /// The matrix for the solver `solver`, and how residuals are to be preconditioned where `asked` says how.
+    /// The matrix for the solver `solver` and so many right-hand sides, and how residuals are to be preconditioned
+    /// where `asked` says how.
     ///
     /// # Errors
     /// Values that are not finite.
@@ -112,12 +113,13 @@ impl<'a> Ritz<'a> {
         &self,
         solver: &Method,
         asked: Preconditioner,
+        rights: usize,
         threads: usize,
     ) -> Result<(Box<dyn Operator + '_>, Preconditioner), SolveError> {
         let Some(reduction) = &self.reduction else {
-            return Ok((self.system.operator(solver, threads)?, asked));
+            return Ok((self.system.operator(solver, rights, threads)?, asked));
         };
-        let product = Projected::new(reduction, self.system.operator(&Method::CG, threads)?);
+        let product = Projected::new(reduction, self.system.operator(&Method::CG, 1, threads)?);
         if solver.only_multiplies() {
             // Diagonal blocks would cost as much as the whole matrix; those of flat surfaces are the
             // identity.
@@ -140,15 +142,45 @@ impl<'a> Ritz<'a> {
 
     /// Irradiance and radiosity for the unknowns a.
     pub fn found(&self, unknowns: &[f64]) -> RitzSolution {
-        let own = match &self.reduction {
+        let own = self.extended(unknowns);
+        let unknown = self.unknown_radiosity(&own);
+        let arrived = self.system.blocks.apply(&self.system.carried(&unknown));
+        self.solution(&own, &unknown, arrived)
+    }
+
+    /// Irradiance and radiosity of each of some systems of the same blocks, for its unknowns a.
+    pub(crate) fn found_of_each(systems: &[Self], unknowns: &[Vec<f64>]) -> Vec<RitzSolution> {
+        let Some(first) = systems.first() else { return Vec::new() };
+        let own: Vec<Cow<'_, [f64]>> =
+            systems.iter().zip(unknowns).map(|(system, own)| system.extended(own)).collect();
+        let unknown: Vec<Vec<f64>> =
+            systems.iter().zip(&own).map(|(system, own)| system.unknown_radiosity(own)).collect();
+        let carried = systems.iter().zip(&unknown).map(|(one, unknown)| one.system.carried(unknown));
+        let arrived = first.system.blocks.apply_to_each(&carried.collect::<Vec<_>>());
+        let all = systems.iter().zip(own).zip(unknown).zip(arrived);
+        all.map(|(((system, own), unknown), arrived)| system.solution(&own, &unknown, arrived)).collect()
+    }
+
+    /// The unknowns of the elements for the unknowns a.
+    fn extended<'u>(&self, unknowns: &'u [f64]) -> Cow<'u, [f64]> {
+        match &self.reduction {
             None => Cow::Borrowed(unknowns),
             Some(reduction) => Cow::Owned(reduction.extended(unknowns)),
-        };
-        let unknown = self.system.unknown_radiosity(0..self.system.reflecting.len(), &own);
-        let irradiance = self.system.irradiance(&unknown);
-        let functional = self.system.functional(&own, &unknown, &irradiance);
+        }
+    }
+
+    /// √ρ y for the unknowns y of the elements.
+    fn unknown_radiosity(&self, own: &[f64]) -> Vec<f64> {
+        self.system.unknown_radiosity(0..self.system.reflecting.len(), own)
+    }
+
+    /// The solution for the unknowns y of the elements with their radiosity √ρ y, where what is carried of it has
+    /// `arrived`.
+    fn solution(&self, own: &[f64], unknown: &[f64], arrived: Vec<f64>) -> RitzSolution {
+        let irradiance = self.system.irradiance(arrived);
+        let functional = self.system.functional(own, unknown, &irradiance);
         let [irradiance, direct] = [irradiance, self.system.direct.clone()].map(|own| self.projected(own));
-        RitzSolution { coefficients: self.system.with_irradiance(&unknown, irradiance, direct), functional }
+        RitzSolution { coefficients: self.system.with_irradiance(unknown, irradiance, direct), functional }
     }
 
     /// Light that was reflected `bounces` times at the most, and once less. Residuals are the radiosity of

@@ -185,7 +185,7 @@ fn solved(elements: &Elements, coating: &Coating, blocks: &Blocks) -> Result<Coe
     let right = system.right_hand_side();
     let mut unknowns = vec![0.0; right.len()];
     let settings = Settings::default();
-    let operator = system.operator(&Method::AUTO, settings.threads)?;
+    let operator = system.operator(&Method::AUTO, 1, settings.threads)?;
     Method::AUTO.solver.solve(&*operator, &right, &mut unknowns, &settings, &mut |_| ())?;
     Ok(system.coefficients(&unknowns))
 }
