@@ -1,4 +1,4 @@
-//! A node of four children: their boxes side by side, tested at once.
+//! A node of eight children: their boxes side by side, tested at once.
 //!
 //! A ray passes a box where its latest entry into a slab comes before its earliest exit from one (Kay and
 //! Kajiya, *Ray tracing complex scenes*, 1986). The signs of its direction tell beforehand which face of a
@@ -7,9 +7,9 @@
 use super::frame::{Box32, ROOM, Ray32};
 
 /// Boxes side by side.
-pub(super) const WIDTH: usize = 4;
+pub(super) const WIDTH: usize = 8;
 
-/// Four boxes and what is in them; missing ones are empty.
+/// Eight boxes and what is in them; missing ones are empty.
 #[derive(Clone, Debug)]
 #[repr(align(64))]
 pub(super) struct Fork {
@@ -51,9 +51,16 @@ impl Fork {
         (0..WIDTH).filter(is_there).map(|k| self.children[k])
     }
 
-    /// The children that the ray enters before `end`, the farthest first, and how many they are.
+    /// The nearest of the children that the ray enters before `end`; pushes the others, the farthest first, above the
+    /// first `depth` entries of a stack.
     #[inline]
-    pub(super) fn entered(&self, ray: &Ray32, end: f32) -> ([Entry; WIDTH], usize) {
+    pub(super) fn entered(
+        &self,
+        ray: &Ray32,
+        end: f32,
+        stack: &mut [Entry],
+        depth: &mut usize,
+    ) -> Option<Entry> {
         let (mut entry, mut exit) = ([0.0f32; WIDTH], [end; WIDTH]);
         for axis in 0..3 {
             let (near, far) =
@@ -64,15 +71,29 @@ impl Fork {
                 exit[k] = smaller((far[k] - origin) * inverse, exit[k]);
             }
         }
-        let mut found = [0; WIDTH];
-        let mut count = 0;
+        let mut left = 0u32;
         for k in 0..WIDTH {
-            let meets = entry[k] <= exit[k] * ROOM;
-            let key = i64::from(entry[k].to_bits()) << 32 | i64::from(self.children[k]);
-            found[k] = if meets { key } else { -1 };
-            count += usize::from(meets);
+            left |= u32::from(entry[k] <= exit[k] * ROOM) << k;
         }
-        (sorted(found), count)
+        let start = *depth;
+        let mut nearest = None;
+        while left != 0 {
+            let k = left.trailing_zeros() as usize % WIDTH;
+            left &= left - 1;
+            let key = i64::from(entry[k].to_bits()) << 32 | i64::from(self.children[k]);
+            nearest = Some(nearest.map_or(key, |nearest: Entry| {
+                let other = key.max(nearest);
+                let mut at = *depth;
+                while at > start && stack[at - 1] < other {
+                    stack[at] = stack[at - 1];
+                    at -= 1;
+                }
+                stack[at] = other;
+                *depth += 1;
+                key.min(nearest)
+            }));
+        }
+        nearest
     }
 }
 
@@ -85,16 +106,6 @@ fn larger(a: f32, b: f32) -> f32 {
 #[inline]
 fn smaller(a: f32, b: f32) -> f32 {
     if a < b { a } else { b }
-}
-
-/// In descending order, by the shortest network.
-#[inline]
-fn sorted([a, b, c, d]: [Entry; WIDTH]) -> [Entry; WIDTH] {
-    let pair = |a: Entry, b: Entry| (a.max(b), a.min(b));
-    let ((a, b), (c, d)) = (pair(a, b), pair(c, d));
-    let ((a, c), (b, d)) = (pair(a, c), pair(b, d));
-    let (b, c) = pair(b, c);
-    [a, b, c, d]
 }
 
 #[cfg(test)]
@@ -110,7 +121,7 @@ mod tests {
         /// No box that the ray meets is left out, and they come in the order of the ray, the last first.
         #[test]
         fn boxes_are_entered_far_ones_first(
-            corners in prop::collection::vec(prop::array::uniform6(-1.0..1.0_f64), 0..5),
+            corners in prop::collection::vec(prop::array::uniform6(-1.0..1.0_f64), 0..=WIDTH),
             origin in prop::array::uniform3(-1.0..1.0_f64), target in prop::array::uniform3(-1.0..1.0_f64),
             level in prop::bool::ANY,
         ) {
@@ -122,15 +133,20 @@ mod tests {
             let ray = Ray { origin: point(&origin), direction, range: [0.0, 1.0] };
             let ray32 = frame.ray(&ray).expect("it starts within the frame");
             let single: Vec<Box32> = boxes.iter().map(|bounds| frame.enclose(bounds)).collect();
-            let (entries, count) = Fork::new(&single, &[7, 8, 9, 10][..boxes.len()]).entered(&ray32, ray32.end(1.0));
-            let found: Vec<u32> = entries[..count].iter().map(|entry| child(*entry)).collect();
+            let contents: Vec<u32> = (7..).take(boxes.len()).collect();
+            // What lies on the stack before stays there.
+            let (mut stack, mut depth) = ([0; WIDTH + 1], 2);
+            let nearest = Fork::new(&single, &contents).entered(&ray32, ray32.end(1.0), &mut stack, &mut depth);
+            prop_assert_eq!(&stack[..2], &[0, 0]);
+            let entries: Vec<Entry> = stack[2..depth].iter().copied().chain(nearest).collect();
+            let found: Vec<u32> = entries.iter().map(|entry| child(*entry)).collect();
             for (k, bounds) in boxes.iter().enumerate() {
                 let is_met = Slabs::new(&ray).entry(bounds, 0.0, 1.0).is_some();
                 prop_assert!(!is_met || found.contains(&(7 + k as u32)), "{k} not in {found:?}");
                 let is_far = Slabs::new(&ray).entry(&bounds.inflate(1e-5), 0.0, 1.0).is_none();
                 prop_assert!(!is_far || !found.contains(&(7 + k as u32)), "{k} in {found:?}");
             }
-            prop_assert!(entries[..count].is_sorted_by(|a, b| place(*a) >= place(*b)));
+            prop_assert!(entries.is_sorted_by(|a, b| place(*a) >= place(*b)));
         }
     }
 }
