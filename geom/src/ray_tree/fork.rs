@@ -5,16 +5,21 @@
 //! slab it enters by.
 
 use super::frame::{Box32, ROOM, Ray32};
+use glam::Vec4;
 
 /// Boxes side by side.
 pub(super) const WIDTH: usize = 8;
+
+/// Boxes to a vector, and vectors to a fork.
+const LANES: usize = 4;
+const VECTORS: usize = WIDTH / LANES;
 
 /// Eight boxes and what is in them; missing ones are empty.
 #[derive(Clone, Debug)]
 #[repr(align(64))]
 pub(super) struct Fork {
     /// Lowest and highest x, lowest and highest y, lowest and highest z.
-    faces: [[f32; WIDTH]; 6],
+    faces: [[Vec4; VECTORS]; 6],
     children: [u32; WIDTH],
 }
 
@@ -39,7 +44,10 @@ pub(super) fn at_start(child: u32) -> Entry {
 impl Fork {
     pub(super) fn new(boxes: &[Box32], contents: &[u32]) -> Fork {
         let at = |k: usize| boxes.get(k).unwrap_or(&Box32::EMPTY);
-        let face = |f: usize| std::array::from_fn(|k| [at(k).min, at(k).max][f % 2][f / 2]);
+        let coordinate = |f: usize, k: usize| [at(k).min, at(k).max][f % 2][f / 2];
+        let vector =
+            |f: usize, v: usize| Vec4::from_array(std::array::from_fn(|k| coordinate(f, LANES * v + k)));
+        let face = |f: usize| std::array::from_fn(|v| vector(f, v));
         let children = std::array::from_fn(|k| contents.get(k).copied().unwrap_or(0));
         Fork { faces: std::array::from_fn(face), children }
     }
@@ -47,12 +55,12 @@ impl Fork {
     /// All children.
     #[cfg(test)]
     pub(super) fn contents(&self) -> impl Iterator<Item = u32> {
-        let is_there = |k: &usize| self.faces[0][*k] <= self.faces[1][*k];
-        (0..WIDTH).filter(is_there).map(|k| self.children[k])
+        let [low, high] = [0, 1].map(|f| self.faces[f].iter().flat_map(Vec4::to_array).collect::<Vec<f32>>());
+        (0..WIDTH).filter(move |k| low[*k] <= high[*k]).map(|k| self.children[k])
     }
 
-    /// The nearest of the children that the ray enters before `end`; pushes the others, the farthest first, above the
-    /// first `depth` entries of a stack.
+    /// The nearest of the children that the ray enters before `end`; pushes the others, the farthest first,
+    /// above the first `depth` entries of a stack.
     #[inline]
     pub(super) fn entered(
         &self,
@@ -61,20 +69,23 @@ impl Fork {
         stack: &mut [Entry],
         depth: &mut usize,
     ) -> Option<Entry> {
-        let (mut entry, mut exit) = ([0.0f32; WIDTH], [end; WIDTH]);
+        let (mut entry, mut exit) = ([Vec4::ZERO; VECTORS], [Vec4::splat(end); VECTORS]);
         for axis in 0..3 {
             let (near, far) =
                 (&self.faces[2 * axis + ray.signs[axis]], &self.faces[2 * axis + 1 - ray.signs[axis]]);
-            let (origin, inverse) = (ray.origin[axis], ray.inverse[axis]);
-            for k in 0..WIDTH {
-                entry[k] = larger((near[k] - origin) * inverse, entry[k]);
-                exit[k] = smaller((far[k] - origin) * inverse, exit[k]);
+            let (origin, inverse) = (Vec4::splat(ray.origin[axis]), Vec4::splat(ray.inverse[axis]));
+            for v in 0..VECTORS {
+                // Of two of which the first is no number, the second is taken.
+                entry[v] = ((near[v] - origin) * inverse).max(entry[v]);
+                exit[v] = ((far[v] - origin) * inverse).min(exit[v]);
             }
         }
-        let mut left = 0u32;
-        for k in 0..WIDTH {
-            left |= u32::from(entry[k] <= exit[k] * ROOM) << k;
+        let mut left = 0;
+        for v in 0..VECTORS {
+            left |= entry[v].cmple(exit[v] * ROOM).bitmask() << (LANES * v);
         }
+        let entry: [[f32; LANES]; VECTORS] = entry.map(|entry| entry.to_array());
+        let entry = entry.as_flattened();
         let start = *depth;
         let mut nearest = None;
         while left != 0 {
@@ -95,17 +106,6 @@ impl Fork {
         }
         nearest
     }
-}
-
-/// Written such that it becomes one instruction: the second where either is no number.
-#[inline]
-fn larger(a: f32, b: f32) -> f32 {
-    if a > b { a } else { b }
-}
-
-#[inline]
-fn smaller(a: f32, b: f32) -> f32 {
-    if a < b { a } else { b }
 }
 
 #[cfg(test)]
