@@ -1,10 +1,10 @@
 //! First hit of a ray among many surfaces.
 //!
-//! The surfaces lie in a tree of bounding boxes, four to a node (Dammertz, Hanika, Keller, *Shallow bounding
-//! volume hierarchies for fast SIMD ray tracing of incoherent rays*, 2008). Boxes and flat surfaces are
-//! tested four at a time in single precision, with room for its roundings: whoever fails is missed for
-//! certain. Whoever passes is met, or not, in double precision by the surface's own formulas. So the answer
-//! is that of all surfaces asked one by one.
+//! The surfaces lie in a tree of bounding boxes, eight to a node (Dammertz, Hanika, Keller, *Shallow bounding
+//! volume hierarchies for fast SIMD ray tracing of incoherent rays*, 2008, with four). Boxes are tested eight
+//! at a time, flat surfaces four at a time, in single precision, with room for its roundings: whoever fails
+//! is missed for certain. Whoever passes is met, or not, in double precision by the surface's own formulas.
+//! So the answer is that of all surfaces asked one by one.
 //!
 //! A ray may start on a surface. It does not meet that one there, nor the other side of the same sheet: a
 //! flat one not at all, a curved one only where it comes back to it. Where it starts on a crease, on several
@@ -112,7 +112,7 @@ impl RayTree {
         let Layout { forks, flats } =
             Layout::new(boxes.iter().zip(&surfaces).enumerate().map(item).collect());
         let facet = |place: Option<&u32>| Facet::of(&*surfaces[*place? as usize]);
-        let facets = flats.iter().flat_map(|leaf| (0..WIDTH).map(|k| facet(leaf.get(k)))).collect();
+        let facets = flats.iter().flat_map(|leaf| (0..flats::WIDTH).map(|k| facet(leaf.get(k)))).collect();
         let flats = flats.iter().map(|leaf| Flats::new(&surfaces, leaf, &frame)).collect();
         let twins = twins(&surfaces, &boxes);
         let sizes = boxes.iter().map(Aabb::diagonal).collect();
@@ -238,38 +238,48 @@ impl<'a> Search<'a> {
         let Some(ray) = tree.frame.ray(&self.ray) else { return };
         let mut end = ray.end(self.ray.range[1]);
         let mut stack = [0; STACK];
-        stack[0] = at_start(0);
-        let mut depth = usize::from(!tree.forks.is_empty());
-        while depth > 0 {
-            depth -= 1;
-            let entry = stack[depth];
-            if place(entry) > end {
-                continue;
-            }
-            match Content::of(child(entry)) {
-                Content::Fork(fork) => {
-                    let (entered, count) = tree.forks[fork].entered(&ray, end);
-                    stack[depth..depth + WIDTH].copy_from_slice(&entered);
-                    depth += count;
-                    continue;
+        let mut depth = 0;
+        let mut next = (!tree.forks.is_empty()).then(|| at_start(0));
+        while let Some(entry) = next {
+            next = None;
+            if place(entry) <= end {
+                match Content::of(child(entry)) {
+                    Content::Fork(fork) => next = tree.forks[fork].entered(&ray, end, &mut stack, &mut depth),
+                    leaf => {
+                        self.visit_leaf(leaf, &ray, end);
+                        if self.goal == Goal::Any && (self.is_blocked || self.best.is_some()) {
+                            return;
+                        }
+                        end = ray.end(self.ray.range[1]);
+                    }
                 }
-                Content::Flats(leaf) => self.visit_flats(leaf, &ray, end),
-                Content::Curved(surface) => self.visit_curved(surface),
             }
-            if self.goal == Goal::Any && (self.is_blocked || self.best.is_some()) {
-                return;
+            if next.is_none() && depth > 0 {
+                depth -= 1;
+                next = Some(stack[depth]);
             }
-            end = ray.end(self.ray.range[1]);
+        }
+    }
+
+    #[inline]
+    fn visit_leaf(&mut self, leaf: Content, ray: &Ray32, end: f32) {
+        match leaf {
+            Content::Fork(_) => {}
+            Content::Flats(leaf) => self.visit_flats(leaf, ray, end),
+            Content::Curved(surface) => self.visit_curved(surface),
         }
     }
 
     #[inline]
     fn visit_flats(&mut self, leaf: usize, ray: &Ray32, end: f32) {
         let flats = &self.tree.flats[leaf];
-        for (k, may_be_hit) in flats.may_be_hit(ray, end).into_iter().enumerate() {
+        let mut left = flats.may_be_hit(ray, end);
+        while left != 0 {
+            let k = left.trailing_zeros() as usize % flats::WIDTH;
+            left &= left - 1;
             let surface = flats.surface(k);
-            if may_be_hit && !self.is_own(surface) {
-                self.visit_flat(surface, self.tree.facets[WIDTH * leaf + k].as_ref());
+            if !self.is_own(surface) {
+                self.visit_flat(surface, self.tree.facets[flats::WIDTH * leaf + k].as_ref());
             }
         }
     }

@@ -1,20 +1,25 @@
-//! A node of four children: their boxes side by side, tested at once.
+//! A node of eight children: their boxes side by side, tested at once.
 //!
 //! A ray passes a box where its latest entry into a slab comes before its earliest exit from one (Kay and
 //! Kajiya, *Ray tracing complex scenes*, 1986). The signs of its direction tell beforehand which face of a
 //! slab it enters by.
 
 use super::frame::{Box32, ROOM, Ray32};
+use glam::Vec4;
 
 /// Boxes side by side.
-pub(super) const WIDTH: usize = 4;
+pub(super) const WIDTH: usize = 8;
 
-/// Four boxes and what is in them; missing ones are empty.
+/// Boxes to a vector, and vectors to a fork.
+const LANES: usize = 4;
+const VECTORS: usize = WIDTH / LANES;
+
+/// Eight boxes and what is in them; missing ones are empty.
 #[derive(Clone, Debug)]
 #[repr(align(64))]
 pub(super) struct Fork {
     /// Lowest and highest x, lowest and highest y, lowest and highest z.
-    faces: [[f32; WIDTH]; 6],
+    faces: [[Vec4; VECTORS]; 6],
     children: [u32; WIDTH],
 }
 
@@ -39,7 +44,10 @@ pub(super) fn at_start(child: u32) -> Entry {
 impl Fork {
     pub(super) fn new(boxes: &[Box32], contents: &[u32]) -> Fork {
         let at = |k: usize| boxes.get(k).unwrap_or(&Box32::EMPTY);
-        let face = |f: usize| std::array::from_fn(|k| [at(k).min, at(k).max][f % 2][f / 2]);
+        let coordinate = |f: usize, k: usize| [at(k).min, at(k).max][f % 2][f / 2];
+        let vector =
+            |f: usize, v: usize| Vec4::from_array(std::array::from_fn(|k| coordinate(f, LANES * v + k)));
+        let face = |f: usize| std::array::from_fn(|v| vector(f, v));
         let children = std::array::from_fn(|k| contents.get(k).copied().unwrap_or(0));
         Fork { faces: std::array::from_fn(face), children }
     }
@@ -47,54 +55,57 @@ impl Fork {
     /// All children.
     #[cfg(test)]
     pub(super) fn contents(&self) -> impl Iterator<Item = u32> {
-        let is_there = |k: &usize| self.faces[0][*k] <= self.faces[1][*k];
-        (0..WIDTH).filter(is_there).map(|k| self.children[k])
+        let [low, high] = [0, 1].map(|f| self.faces[f].iter().flat_map(Vec4::to_array).collect::<Vec<f32>>());
+        (0..WIDTH).filter(move |k| low[*k] <= high[*k]).map(|k| self.children[k])
     }
 
-    /// The children that the ray enters before `end`, the farthest first, and how many they are.
+    /// The nearest of the children that the ray enters before `end`; pushes the others, the farthest first,
+    /// above the first `depth` entries of a stack.
     #[inline]
-    pub(super) fn entered(&self, ray: &Ray32, end: f32) -> ([Entry; WIDTH], usize) {
-        let (mut entry, mut exit) = ([0.0f32; WIDTH], [end; WIDTH]);
+    pub(super) fn entered(
+        &self,
+        ray: &Ray32,
+        end: f32,
+        stack: &mut [Entry],
+        depth: &mut usize,
+    ) -> Option<Entry> {
+        let (mut entry, mut exit) = ([Vec4::ZERO; VECTORS], [Vec4::splat(end); VECTORS]);
         for axis in 0..3 {
             let (near, far) =
                 (&self.faces[2 * axis + ray.signs[axis]], &self.faces[2 * axis + 1 - ray.signs[axis]]);
-            let (origin, inverse) = (ray.origin[axis], ray.inverse[axis]);
-            for k in 0..WIDTH {
-                entry[k] = larger((near[k] - origin) * inverse, entry[k]);
-                exit[k] = smaller((far[k] - origin) * inverse, exit[k]);
+            let (origin, inverse) = (Vec4::splat(ray.origin[axis]), Vec4::splat(ray.inverse[axis]));
+            for v in 0..VECTORS {
+                // Of two of which the first is no number, the second is taken.
+                entry[v] = ((near[v] - origin) * inverse).max(entry[v]);
+                exit[v] = ((far[v] - origin) * inverse).min(exit[v]);
             }
         }
-        let mut found = [0; WIDTH];
-        let mut count = 0;
-        for k in 0..WIDTH {
-            let meets = entry[k] <= exit[k] * ROOM;
-            let key = i64::from(entry[k].to_bits()) << 32 | i64::from(self.children[k]);
-            found[k] = if meets { key } else { -1 };
-            count += usize::from(meets);
+        let mut left = 0;
+        for v in 0..VECTORS {
+            left |= entry[v].cmple(exit[v] * ROOM).bitmask() << (LANES * v);
         }
-        (sorted(found), count)
+        let entry: [[f32; LANES]; VECTORS] = entry.map(|entry| entry.to_array());
+        let entry = entry.as_flattened();
+        let start = *depth;
+        let mut nearest = None;
+        while left != 0 {
+            let k = left.trailing_zeros() as usize % WIDTH;
+            left &= left - 1;
+            let key = i64::from(entry[k].to_bits()) << 32 | i64::from(self.children[k]);
+            nearest = Some(nearest.map_or(key, |nearest: Entry| {
+                let other = key.max(nearest);
+                let mut at = *depth;
+                while at > start && stack[at - 1] < other {
+                    stack[at] = stack[at - 1];
+                    at -= 1;
+                }
+                stack[at] = other;
+                *depth += 1;
+                key.min(nearest)
+            }));
+        }
+        nearest
     }
-}
-
-/// Written such that it becomes one instruction: the second where either is no number.
-#[inline]
-fn larger(a: f32, b: f32) -> f32 {
-    if a > b { a } else { b }
-}
-
-#[inline]
-fn smaller(a: f32, b: f32) -> f32 {
-    if a < b { a } else { b }
-}
-
-/// In descending order, by the shortest network.
-#[inline]
-fn sorted([a, b, c, d]: [Entry; WIDTH]) -> [Entry; WIDTH] {
-    let pair = |a: Entry, b: Entry| (a.max(b), a.min(b));
-    let ((a, b), (c, d)) = (pair(a, b), pair(c, d));
-    let ((a, c), (b, d)) = (pair(a, c), pair(b, d));
-    let (b, c) = pair(b, c);
-    [a, b, c, d]
 }
 
 #[cfg(test)]
@@ -110,7 +121,7 @@ mod tests {
         /// No box that the ray meets is left out, and they come in the order of the ray, the last first.
         #[test]
         fn boxes_are_entered_far_ones_first(
-            corners in prop::collection::vec(prop::array::uniform6(-1.0..1.0_f64), 0..5),
+            corners in prop::collection::vec(prop::array::uniform6(-1.0..1.0_f64), 0..=WIDTH),
             origin in prop::array::uniform3(-1.0..1.0_f64), target in prop::array::uniform3(-1.0..1.0_f64),
             level in prop::bool::ANY,
         ) {
@@ -122,15 +133,20 @@ mod tests {
             let ray = Ray { origin: point(&origin), direction, range: [0.0, 1.0] };
             let ray32 = frame.ray(&ray).expect("it starts within the frame");
             let single: Vec<Box32> = boxes.iter().map(|bounds| frame.enclose(bounds)).collect();
-            let (entries, count) = Fork::new(&single, &[7, 8, 9, 10][..boxes.len()]).entered(&ray32, ray32.end(1.0));
-            let found: Vec<u32> = entries[..count].iter().map(|entry| child(*entry)).collect();
+            let contents: Vec<u32> = (7..).take(boxes.len()).collect();
+            // What lies on the stack before stays there.
+            let (mut stack, mut depth) = ([0; WIDTH + 1], 2);
+            let nearest = Fork::new(&single, &contents).entered(&ray32, ray32.end(1.0), &mut stack, &mut depth);
+            prop_assert_eq!(&stack[..2], &[0, 0]);
+            let entries: Vec<Entry> = stack[2..depth].iter().copied().chain(nearest).collect();
+            let found: Vec<u32> = entries.iter().map(|entry| child(*entry)).collect();
             for (k, bounds) in boxes.iter().enumerate() {
                 let is_met = Slabs::new(&ray).entry(bounds, 0.0, 1.0).is_some();
                 prop_assert!(!is_met || found.contains(&(7 + k as u32)), "{k} not in {found:?}");
                 let is_far = Slabs::new(&ray).entry(&bounds.inflate(1e-5), 0.0, 1.0).is_none();
                 prop_assert!(!is_far || !found.contains(&(7 + k as u32)), "{k} in {found:?}");
             }
-            prop_assert!(entries[..count].is_sorted_by(|a, b| place(*a) >= place(*b)));
+            prop_assert!(entries.is_sorted_by(|a, b| place(*a) >= place(*b)));
         }
     }
 }
