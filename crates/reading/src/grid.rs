@@ -80,6 +80,10 @@ impl Default for Rates {
 /// ones to be done must not wait for one thread.
 const AT_ONCE: usize = 8;
 
+/// Least share of the accuracy that small cells get, by their area over the mean area: rays leave √2 times the error
+/// there, and the mean over all surfaces errs no more. Chosen.
+const SMALL: f64 = 0.5;
+
 /// A cell that is to be read.
 struct CellPlace {
     surface: usize,
@@ -102,7 +106,9 @@ pub fn grid(reader: &Reader, cells: impl Into<CellCounts>, rates: Rates, work: &
     };
     let places: Vec<CellPlace> = (0..surfaces).flat_map(of_surface).collect();
     let (total, done) = (places.len(), AtomicUsize::new(0));
-    let by = CellReader { reader, rates, count: total };
+    let usual_area =
+        reader.solution().elements().list().iter().map(|own| own.area).sum::<f64>() / total as f64;
+    let by = CellReader { reader, rates, count: total, usual_area };
     let all = work.ranks.map_even(PartName::Cells, total, AT_ONCE, |place| {
         let CellPlace { surface, index, rect } = &places[place];
         let integrals = Integrals::over(&by, *surface, rect);
@@ -124,6 +130,24 @@ struct CellReader<'a> {
     rates: Rates,
     /// Cells that are read.
     count: usize,
+    /// Their mean area (scene length²).
+    usual_area: f64,
+}
+
+impl CellReader<'_> {
+    /// Share of what is read to the accuracy of a patch of the given area, in a cell whose patches have the area
+    /// `covered` together.
+    fn share(&self, area: f64, covered: f64) -> f64 {
+        area / covered * (covered / self.usual_area).clamp(SMALL, 1.0)
+    }
+}
+
+/// The part of an element in a cell.
+struct CellPatch {
+    element: usize,
+    patch: Patch,
+    /// Area (scene length²).
+    area: f64,
 }
 
 /// Convex pieces of the outer outline of a planar surface; None for curved ones.
@@ -188,10 +212,16 @@ impl Integrals {
         let elements = reader.solution().elements();
         // Elements of the other side whose light comes through.
         let mut behind = BTreeSet::new();
+        let over = |element: usize| {
+            let patches = elements.patches_over(element, rect).into_iter();
+            patches.map(move |patch| CellPatch { element, area: area(&patch), patch })
+        };
+        let patches: Vec<CellPatch> = elements.of_surface(surface).flat_map(over).collect();
+        let covered = patches.iter().map(|own| own.area).sum();
+        for own in &patches {
+            sums.add(by, own, by.share(own.area, covered), rect);
+        }
         for element in elements.of_surface(surface) {
-            for patch in elements.patches_over(element, rect) {
-                sums.add(by, element, &patch, rect);
-            }
             behind.extend(bands.iter().flat_map(|band| band.coating.all_behind(element)));
         }
         for element in behind {
@@ -202,10 +232,10 @@ impl Integrals {
         sums
     }
 
-    /// Adds the light on a patch of an element.
-    fn add(&mut self, by: &CellReader, element: usize, patch: &Patch, rect: &Rect) {
-        let area = area(patch);
-        let ReadIrradiance { irradiance, deviation } = over_patch(by, element, patch);
+    /// Adds the light on a patch, which is this share of what is wanted to the accuracy.
+    fn add(&mut self, by: &CellReader, own: &CellPatch, share: f64, rect: &Rect) {
+        let CellPatch { element, ref patch, area } = *own;
+        let ReadIrradiance { irradiance, deviation } = over_patch(by, element, patch, share);
         let irradiance: Vec<f64> = irradiance.into_iter().map(|mean| mean * area).collect();
         self.covered += area;
         if let Some(deviation) = deviation {
@@ -223,7 +253,7 @@ impl Integrals {
     /// Adds the light that comes through from a patch of an element of the other side.
     fn add_transmitted(&mut self, by: &CellReader, element: usize, patch: &Patch) {
         let area = area(patch);
-        let arriving = over_patch(by, element, patch).irradiance;
+        let arriving = over_patch(by, element, patch, 1.0).irradiance;
         for (index, band) in by.reader.solution().bands().iter().enumerate() {
             self.radiosity[index] += band.coating.transmittance(element) * area * arriving[index];
         }
@@ -247,9 +277,9 @@ impl Integrals {
 /// many do.
 const AREA_POINTS: usize = 16;
 
-/// Mean of E per band over a patch of an element.
-fn over_patch(by: &CellReader, element: usize, patch: &Patch) -> ReadIrradiance {
-    let CellReader { reader, rates, count } = *by;
+/// Mean of E per band over a patch of an element, which is so large a share of what rays read to the accuracy.
+fn over_patch(by: &CellReader, element: usize, patch: &Patch, share: f64) -> ReadIrradiance {
+    let CellReader { reader, rates, count, .. } = *by;
     let owner = &reader.solution().elements().list()[element];
     let degree = owner.basis.total_degree();
     let exact = if patch.is_flat() { degree / 2 + 2 } else { degree + 4 };
@@ -274,7 +304,7 @@ fn over_patch(by: &CellReader, element: usize, patch: &Patch) -> ReadIrradiance 
         RecomputedLight::Gathered(light) => {
             let origin = Receiver::over(owner.surface, patch);
             match light.by() {
-                GatheredBy::Rays(gather) => gather.read_one_of(&origin, count),
+                GatheredBy::Rays(gather) => gather.read_one_of(&origin, count, share),
                 GatheredBy::Cells(gather) => {
                     let lit = lit(gather.direct(), owner.surface, patch, horizon, rates.direct);
                     let gathered =
