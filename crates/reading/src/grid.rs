@@ -80,10 +80,6 @@ impl Default for Rates {
 /// ones to be done must not wait for one thread.
 const AT_ONCE: usize = 8;
 
-/// Least share of the accuracy that small cells get, by their area over the mean area: rays leave √2 times the error
-/// there, and the mean over all surfaces errs no more. Chosen.
-const SMALL: f64 = 0.5;
-
 /// A cell that is to be read.
 struct CellPlace {
     surface: usize,
@@ -106,9 +102,7 @@ pub fn grid(reader: &Reader, cells: impl Into<CellCounts>, rates: Rates, work: &
     };
     let places: Vec<CellPlace> = (0..surfaces).flat_map(of_surface).collect();
     let (total, done) = (places.len(), AtomicUsize::new(0));
-    let usual_area =
-        reader.solution().elements().list().iter().map(|own| own.area).sum::<f64>() / total as f64;
-    let by = CellReader { reader, rates, count: total, usual_area };
+    let by = CellReader { reader, rates, count: total };
     let all = work.ranks.map_even(PartName::Cells, total, AT_ONCE, |place| {
         let CellPlace { surface, index, rect } = &places[place];
         let integrals = Integrals::over(&by, *surface, rect);
@@ -130,16 +124,6 @@ struct CellReader<'a> {
     rates: Rates,
     /// Cells that are read.
     count: usize,
-    /// Their mean area (scene length²).
-    usual_area: f64,
-}
-
-impl CellReader<'_> {
-    /// Share of what is read to the accuracy of a patch of the given area, in a cell whose patches have the area
-    /// `covered` together.
-    fn share(&self, area: f64, covered: f64) -> f64 {
-        area / covered * (covered / self.usual_area).clamp(SMALL, 1.0)
-    }
 }
 
 /// The part of an element in a cell.
@@ -217,9 +201,9 @@ impl Integrals {
             patches.map(move |patch| CellPatch { element, area: area(&patch), patch })
         };
         let patches: Vec<CellPatch> = elements.of_surface(surface).flat_map(over).collect();
-        let covered = patches.iter().map(|own| own.area).sum();
+        let covered: f64 = patches.iter().map(|own| own.area).sum();
         for own in &patches {
-            sums.add(by, own, by.share(own.area, covered), rect);
+            sums.add(by, own, own.area / covered, rect);
         }
         for element in elements.of_surface(surface) {
             behind.extend(bands.iter().flat_map(|band| band.coating.all_behind(element)));
@@ -232,7 +216,7 @@ impl Integrals {
         sums
     }
 
-    /// Adds the light on a patch, which is this share of what is wanted to the accuracy.
+    /// Adds the light on a patch, which is this share of its cell.
     fn add(&mut self, by: &CellReader, own: &CellPatch, share: f64, rect: &Rect) {
         let CellPatch { element, ref patch, area } = *own;
         let ReadIrradiance { irradiance, deviation } = over_patch(by, element, patch, share);
@@ -277,9 +261,9 @@ impl Integrals {
 /// many do.
 const AREA_POINTS: usize = 16;
 
-/// Mean of E per band over a patch of an element, which is so large a share of what rays read to the accuracy.
+/// Mean of E per band over a patch of an element, which is so large a share of what is read.
 fn over_patch(by: &CellReader, element: usize, patch: &Patch, share: f64) -> ReadIrradiance {
-    let CellReader { reader, rates, count, .. } = *by;
+    let CellReader { reader, rates, count } = *by;
     let owner = &reader.solution().elements().list()[element];
     let degree = owner.basis.total_degree();
     let exact = if patch.is_flat() { degree / 2 + 2 } else { degree + 4 };
