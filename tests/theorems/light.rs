@@ -30,6 +30,7 @@ mod occlusion;
 mod reflected_steps;
 mod shapes;
 mod shells;
+mod shown_light;
 mod skies;
 mod slits;
 mod split;

@@ -24,7 +24,7 @@ pub(crate) mod direct_by_rays;
 mod trusted_light;
 mod bends;
 mod lit_cells;
-mod flat_lamps;
+mod known_lamps;
 mod glow;
 mod walked_light;
 mod met_light;

@@ -18,8 +18,8 @@ use radiosity_visibility::Visibility;
 use smallvec::{SmallVec, smallvec};
 
 use crate::gather::bends::{Part, SentLight, bends};
-use crate::gather::flat_lamps::FlatLamps;
 use crate::gather::glow::Glow;
+use crate::gather::known_lamps::KnownLamps;
 use crate::gather::lit_cells::LitCells;
 use crate::gather::sent_rays::{AimedRays, LampLight, Met, NEAR, RayMix, SentRays};
 use crate::gather::walked_light::Draws;
@@ -39,7 +39,7 @@ pub(super) struct MetLight<'a> {
     /// Direct light by cells.
     pub(super) lit_cells: LitCells,
     /// Emitters that send light without shadows by a closed form.
-    pub(super) flat_lamps: FlatLamps,
+    pub(super) known_lamps: KnownLamps,
     /// Elements that reflect more than most.
     pub(super) glow: Glow,
     /// Mean radiosity per band (W m⁻²).
@@ -118,7 +118,7 @@ impl<'a> MetLight<'a> {
             sent: solution.sent(),
             lit_cells: LitCells::of(&rays),
             rays,
-            flat_lamps: FlatLamps::of(&solution.emitters()),
+            known_lamps: KnownLamps::of(solution.elements(), &solution.emitters()),
             glow: Glow::of(solution, &usual),
             bends: bends(solution, &usual, SentLight::All, Part::Highest),
             scale,

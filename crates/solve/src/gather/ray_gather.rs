@@ -8,7 +8,7 @@
 //! *Trusted*, readings of all light at y that may be far from what polynomials say, y on a large element beside x
 //! or near an emitter, go on from there (`super::trusted_light`), and take polynomials of all light nowhere.
 //!
-//! Over a patch the light of flat emitters that are far is found apart, by rays to these alone (`super::flat_lamps`);
+//! Over a patch the light of flat emitters and balls that are far is found apart, by rays to these (`super::known_lamps`);
 //! of many patches direct light at y is that of cells (`super::lit_cells`).
 //!
 //! Gathered twice, the irradiance of y is itself estimated so, by one ray of either kind.
@@ -24,7 +24,7 @@ use radiosity_light::receiver_point::ReceiverPoint;
 use radiosity_light::tolerances::DARK;
 use radiosity_visibility::Visibility;
 
-use crate::gather::flat_lamps::FarLamps;
+use crate::gather::known_lamps::FarLamps;
 use crate::gather::met_light::{Ending, Held, MetLight};
 use crate::gather::ray_count::{
     FIRST, FIRST_OF_CELLS, FIRST_OF_MANY, FIRST_TO_FAR, FIRST_TOGETHER, PATIENCE, PATIENCE_OF_MANY,
@@ -108,6 +108,8 @@ struct Wanted<'s> {
     least: f64,
     /// Irradiance per band below which errors are to be small relative to this (W m⁻²).
     dark: &'s [f64],
+    /// Relative accuracy.
+    eps: f64,
 }
 
 /// Numbers of cosine-distributed rays of each sequence.
@@ -166,7 +168,10 @@ impl<'a> RayGather<'a> {
     ///
     /// Polynomials are taken where they are trusted alone: patches in the dark, of which there are many, see mostly
     /// what is near.
-    pub fn read_one_of(&self, origin: &Receiver, count: usize) -> ReadIrradiance {
+    ///
+    /// It is so large a `share` s of what is wanted to the accuracy ε as a whole: to ε/√s, as errors of the others are
+    /// independent.
+    pub fn read_one_of(&self, origin: &Receiver, count: usize, share: f64) -> ReadIrradiance {
         let are_worth = self.light.lit_cells.are_worth(count as f64 * usual_rays(self.eps));
         let held = if are_worth { Held::READ.beside_cells() } else { Held::READ };
         let is_beside = self.beyond == Beyond::Polynomials && !self.light.solution.is_truncated();
@@ -182,6 +187,7 @@ impl<'a> RayGather<'a> {
             patience: PATIENCE_OF_MANY,
             least: FEW_MORE,
             dark: &dark,
+            eps: self.eps / share.sqrt(),
         };
         let mut read = self.gathered(&rays, &wanted, &vec![0.0; dark.len()]);
         if !is_walked {
@@ -253,6 +259,7 @@ impl<'a> RayGather<'a> {
             patience: PATIENCE_OF_MANY,
             least: 1.0,
             dark: &self.dark,
+            eps: self.eps,
         }
     }
 
@@ -267,7 +274,7 @@ impl<'a> RayGather<'a> {
     /// Light by these rays, as it is `wanted`; `other` light (W m⁻² per band) arrives too. Further rays are sent of the
     /// kind that errs more: around, or to far emitters.
     fn gathered(&self, rays: &ReceiverRays, wanted: &Wanted, other: &[f64]) -> ReadIrradiance {
-        let Wanted { sequences, caution, least: least_more, dark, .. } = *wanted;
+        let Wanted { sequences, caution, least: least_more, dark, eps, .. } = *wanted;
         let bands = dark.len();
         let beside = Beside { scale: &self.light.scale, dark, other };
         let RayCounts { first, least, most } = self.counts(wanted);
@@ -288,7 +295,7 @@ impl<'a> RayGather<'a> {
             let all: Option<Vec<BandLight>> =
                 direct.as_ref().map(|direct| reflected.iter().zip(direct).map(|(a, b)| a.and(b)).collect());
             let estimate = Estimate::of(all.as_ref().unwrap_or(&reflected), &beside, around.are_whole());
-            let (is_first, missed) = (around.sent() < least, caution * estimate.missed / self.eps);
+            let (is_first, missed) = (around.sent() < least, caution * estimate.missed / eps);
             if !is_first && missed <= 1.0 {
                 return estimate.into();
             }

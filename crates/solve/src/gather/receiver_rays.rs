@@ -27,7 +27,7 @@ use radiosity_light::lamps::Shares;
 use radiosity_light::receiver_point::ReceiverPoint;
 use radiosity_work::interruption::check_interrupt_at;
 
-use crate::gather::flat_lamps::FarLamps;
+use crate::gather::known_lamps::FarLamps;
 use crate::gather::met_light::{Ending, MetLight};
 use crate::gather::receiver::Receiver;
 use crate::gather::sent_rays::{AimedRays, Met, RayMix, SentRays};
@@ -78,7 +78,7 @@ impl<'s> ReceiverRays<'s> {
 
     /// Rays that find all light of a receiver.
     pub(super) fn all(light: &'s MetLight<'s>, origin: &'s Receiver, onward: Onward) -> Self {
-        let far = light.flat_lamps.far_from(&light.rays, origin);
+        let far = light.known_lamps.far_from(&light.rays, origin);
         let is_left = |element: usize| far.as_ref().is_none_or(|far| !far.hold(element));
         let lamps = Some(light.rays.lamps.seen_among(&origin.witnesses(), is_left));
         Self { lamps, far, lit: lit(light, origin), ..Self::reflected(light, origin, onward) }
