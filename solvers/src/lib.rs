@@ -67,6 +67,8 @@ mod operator;
 
 mod vector;
 
+mod panel;
+
 mod dense;
 
 mod block_sparse;
@@ -82,8 +84,6 @@ mod iteration;
 mod factors;
 
 mod halt;
-
-mod panel;
 
 mod diagonal;
 

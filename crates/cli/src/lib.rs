@@ -10,8 +10,8 @@
 //!
 //! The only noun outside is [`launch`], which the binary calls.
 //!
-//! Imports `geom`, `solvers`, `work`, `formats`, `scene`, `language`, `audit`, `visibility`, `elements`, `kernel`,
-//! `transport`, `published`, `solve`, `reading`, `heat`, `output` and `request`.
+//! Imports `geom`, `solvers`, `work`, `photometry`, `formats`, `scene`, `language`, `audit`, `visibility`,
+//! `elements`, `kernel`, `transport`, `published`, `solve`, `reading`, `heat`, `output` and `request`.
 
 mod console;
 mod interrupt;

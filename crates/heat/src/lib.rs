@@ -23,9 +23,10 @@
 //! In order: [`HeatError`], `black_body`, `backs` (which of them heat reaches), `roles` (what is known of each
 //! surface), `coats` (scenes with the coatings of heat), `closure` (rows that sum to 1), `levels`, `figures` (of each
 //! surface), `field` (σ T⁴ over surfaces), `shields`, `conductances`, `cut` (elements that tell the error), `forecast`,
-//! [`Heat`], the balance, [`judging`], what a referee says of it, `checking`, its errors made true by that, and [`remarks`] on both.
+//! [`Heat`], the balance, [`judging`], what a referee says of it, `checking`, its errors made true by that, and
+//! [`remarks`] on both.
 //!
-//! Imports `core`, `geom`, `solvers`, `work`, `scene`, `audit`, `visibility`, `elements`, `kernel` and `solve`.
+//! Imports `core`, `geom`, `solvers`, `work`, `fit`, `scene`, `audit`, `visibility`, `elements`, `kernel` and `solve`.
 
 mod error;
 mod black_body;

@@ -118,9 +118,9 @@ pub fn is_in_room(readings: &[ProbeReading]) -> Vec<bool> {
     if inside.contains(&true) { inside } else { vec![true; readings.len()] }
 }
 
-/// Which of some readings lie outside of the room or in a solid: they get no light, and meet no front of a surface, or
-/// backs in at least as many directions. Backs alone do not tell: behind a panel of one side a room is lit. Readings are
-/// dark beside the brightest of them, or beside `light` (W m⁻²) where that is more.
+/// Tells which of some readings lie outside of the room or in a solid: they get no light, and meet no front of a
+/// surface, or backs in at least as many directions. Backs alone do not tell: behind a panel of one side a room is
+/// lit. Readings are dark beside the brightest of them, or beside `light` (W m⁻²) where that is more.
 fn is_outside(readings: &[ProbeReading], light: f64) -> Vec<bool> {
     let is_dark = is_dark(readings.iter(), light);
     let is_behind = |own: &Surroundings| own.backs >= own.fronts;

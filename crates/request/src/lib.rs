@@ -9,8 +9,8 @@
 //! (how it is read), [`AuditRequest`] (how it is judged), [`TransferRequest`] and [`HeatRequest`],
 //! [`SceneRequest`] (which scene), [`view`] (from where), [`picture`] and [`cells`] (what results need of memory).
 //!
-//! Imports `geom`, `solvers`, `work`, `formats`, `scene`, `language`, `audit`, `visibility`, `elements`,
-//! `kernel`, `published`, `solve`, `reading` and `heat`.
+//! Imports `geom`, `solvers`, `work`, `photometry`, `formats`, `scene`, `language`, `audit`, `visibility`,
+//! `elements`, `kernel`, `published`, `solve`, `reading` and `heat`.
 
 mod refusal;
 pub mod ranges;

@@ -43,7 +43,7 @@ pub(super) struct Stated {
     pub(super) texts: Vec<String>,
 }
 
-/// What stands in braces in a text, which messages fill in.
+/// The parts of a text outside of braces, whose content messages fill in.
 fn fixed_parts(text: &str) -> Vec<String> {
     let plain = text.replace("{{", "\u{1}").replace("}}", "\u{2}");
     let mut parts = vec![String::new()];

@@ -125,7 +125,7 @@ fn on_wall_cell(height: f64, [y, z]: [f64; 2]) -> f64 {
     1000.0 * sum / (PI * (16 * N * N * N * N) as f64)
 }
 
-/// A ball of the radius 0.2 hangs 2 over a floor and beside a post. It hangs on a thin stalk, which covers little of it.
+/// A ball of the radius 0.2 hangs 2 over a floor and beside a post, on a thin stalk that covers little of it.
 const BALL: &str = "bands = [\"grey\"]\n[materials.black]\nreflectance = 0\n[materials.lamp]\nreflectance = 0\n\
     emission = 1000\n[[surfaces]]\nname = \"floor\"\nmaterial = \"black\"\n\
     parallelogram = { origin = [-0.5, -0.5, 0], edge1 = [1, 0, 0], edge2 = [0, 1, 0] }\n\

@@ -1,5 +1,4 @@
-//! What a file has and a scene of radiosity has not: each construct is named in a note, and a file without it draws
-//! none.
+//! Constructs of files that scenes of radiosity have not: each is named in a note, and a file without it draws none.
 
 use radiosity_formats::format::Format;
 use radiosity_formats::read::read;

@@ -14,7 +14,7 @@ use std::ops::Range;
 
 use radiosity_geom::{Aabb, DVec3};
 
-use super::Lamp;
+use super::lamp::Lamp;
 use crate::receiver_point::ReceiverPoint;
 
 /// Radius of a node over its distance, below which it is not opened: d² then varies by a factor of 2.8 within it.

@@ -1,5 +1,5 @@
-//! Direct light over a patch of diffuse emitters that are far from it: what they send without shadows, times the part of
-//! it that rays find visible.
+//! Direct light over a patch of diffuse emitters that are far from it: what they send without shadows, times the
+//! part of it that rays find visible.
 //!
 //! Definition. With points x of the patch P, spread evenly over it, and points y of the emitters l, of the exitance E₀
 //! and of the density q(y) in the rays (`light::lamps`),

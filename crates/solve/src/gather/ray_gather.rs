@@ -8,8 +8,8 @@
 //! *Trusted*, readings of all light at y that may be far from what polynomials say, y on a large element beside x
 //! or near an emitter, go on from there (`super::trusted_light`), and take polynomials of all light nowhere.
 //!
-//! Over a patch the light of flat emitters and balls that are far is found apart, by rays to these (`super::known_lamps`);
-//! of many patches direct light at y is that of cells (`super::lit_cells`).
+//! Over a patch the light of flat emitters and balls that are far is found apart, by rays to these
+//! (`super::known_lamps`); of many patches direct light at y is that of cells (`super::lit_cells`).
 //!
 //! Gathered twice, the irradiance of y is itself estimated so, by one ray of either kind.
 //!
