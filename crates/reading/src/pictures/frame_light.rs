@@ -103,8 +103,8 @@ impl<'a> FrameLight<'a> {
 fn asked(frame: &Frame, direct: &[Vec<f64>]) -> Vec<Option<AskedPlace>> {
     let one = |place: usize| {
         let seen = *frame.seen(place)?;
-        let direct = direct[place].as_slice().into();
-        Some(AskedPlace { seen, footprint: frame.footprint(place), direct, error_factor: 1.0 })
+        let beside = direct[place].iter().sum();
+        Some(AskedPlace { seen, footprint: frame.footprint(place), beside, error_factor: 1.0 })
     };
     (0..frame.len()).map(one).collect()
 }

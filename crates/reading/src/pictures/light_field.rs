@@ -34,7 +34,6 @@ use radiosity_work::ranks::PartName;
 use radiosity_work::{Stage, Work};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
-use smallvec::SmallVec;
 
 use super::eye::SeenPlace;
 use super::picture_light::PictureLight;
@@ -72,14 +71,14 @@ const SMALL: f64 = 8.0;
 const TOGETHER: usize = 256;
 
 /// A place of which the light is asked for.
-#[derive(Clone, Debug)]
+#[derive(Clone, Copy, Debug)]
 pub(crate) struct AskedPlace {
     /// The place.
     pub seen: SeenPlace,
     /// Distance of the places beside it that are shown (scene length).
     pub footprint: f64,
-    /// Direct light there (W m⁻² per band).
-    pub direct: SmallVec<[f64; 4]>,
+    /// Sum over the bands of other light there (W m⁻²).
+    pub beside: f64,
     /// Factor on the error of light that is gathered at the place itself.
     pub error_factor: f64,
 }
@@ -207,8 +206,8 @@ impl<'a> LightField<'a> {
         let open: Vec<usize> = (0..asked.len()).filter(|index| known[*index].is_none()).collect();
         let count = PixelCount::new(open.len(), Stage::GatheredPixels, work);
         let one = |index: usize| {
-            let AskedPlace { seen, direct, error_factor, .. } = asked[open[index]];
-            let light = self.light.rest(seen, direct, *error_factor);
+            let AskedPlace { seen, error_factor, .. } = asked[open[index]];
+            let light = self.gatherer.gathered(seen, *error_factor);
             count.add();
             light
         };
@@ -216,7 +215,7 @@ impl<'a> LightField<'a> {
         let mut lights: Vec<Vec<f64>> =
             known.into_iter().map(|known| known.map_or_else(Vec::new, |known| known.light.bands)).collect();
         for (index, light) in open.into_iter().zip(gathered) {
-            lights[index] = light.bands;
+            lights[index] = light.light.bands;
         }
         lights
     }
@@ -255,7 +254,7 @@ impl<'a> LightField<'a> {
         let apart = lattice.side(level) / asked.footprint;
         let is_last = apart < self.fineness().finest || level == Lattice::FINEST;
         let found = fit.found();
-        let trust = |found: &FitResult| self.trust(found, apart <= SMALL, asked.direct.iter().sum());
+        let trust = |found: &FitResult| self.trust(found, apart <= SMALL, asked.beside);
         let trust = found.as_ref().filter(|_| is_enclosed).map_or(0.0, trust);
         match found {
             Some(found) if trust >= TRUSTED || (trust > 0.0 && !is_last) => {

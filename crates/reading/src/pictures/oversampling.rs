@@ -257,8 +257,8 @@ impl Shot<'_> {
     /// A sample as a light field is asked for it, beside its direct light.
     fn asked(&self, place: &SamplePlace, direct: &[f64]) -> AskedPlace {
         let footprint = self.view.footprint(place.seen.place.position);
-        let (direct, error_factor) = (direct.into(), ONE_OF_SEVERAL.error_factor);
-        AskedPlace { seen: place.seen, footprint, direct, error_factor }
+        let beside = direct.iter().sum();
+        AskedPlace { seen: place.seen, footprint, beside, error_factor: ONE_OF_SEVERAL.error_factor }
     }
 }
 
