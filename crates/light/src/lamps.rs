@@ -190,6 +190,7 @@ mod tests {
     use std::sync::Arc;
 
     use radiosity_elements::{Discretization, Elements};
+    use radiosity_geom::DVec3;
     use radiosity_geom::shapes::Parallelogram;
     use radiosity_scene::{Material, SceneBuilder};
 
