@@ -176,11 +176,13 @@ impl LeftPairs<'_> {
         let (mut sent, mut spent, mut rays) = (0, 0, FIRST);
         let mut senders = ends(&open);
         loop {
-            let now = |index: usize| if senders.contains(&index) { rays } else { 0 };
-            let now: Vec<u64> = (0..self.list.len()).map(now).collect();
             for batch in batches.iter_mut() {
+                // Those that sat out rounds go on from the one they left off at.
+                let own = batch.sent().iter().map(|sent| rays.min(sent + FIRST));
+                let of_senders = |(index, own)| if senders.contains(&index) { own } else { 0 };
+                let now: Vec<u64> = own.enumerate().map(of_senders).collect();
                 batch.send(&now, &mut |_| true);
-                sent += senders.len() as u64 * rays;
+                sent += now.iter().sum::<u64>();
                 spent += sharing * rays;
                 let done = (self.left.len() as u64 * spent / most.max(spent)) as usize;
                 work.report_done(Stage::Blocks, done, self.left.len());
