@@ -137,12 +137,12 @@ fn a_plate_through_a_sphere_parts_it() {
 /// share of area: of the upper elements the zone up to the plate, h/2, evenly. A point above sees no lower element.
 #[test]
 fn elements_of_a_sphere_see_past_a_plate_what_is_on_their_side() {
-    let (height, eps) = (0.3, 1e-3);
+    let (height, eps) = (0.3, 3e-3);
     let scene = scene(&format!(
         "@parallelogram = {{ origin = [-1,-1,{height}], edge1 = [2,0,0], edge2 = [0,2,0] }}\n\
          @flip = true\nsphere = {{ center = [0,0,0], radius = 1 }}\n"
     ));
-    for order in [0, 2] {
+    for order in [0, 1] {
         let elements = elements_of(&scene, order, 2);
         let visibility = Visibility::new(&scene, Shadows::Auto, eps);
         let blocks = blocks_of(&elements, &visibility, Accuracy { eps, shadow_eps: eps });
