@@ -13,10 +13,10 @@
 //! the last term for what fewer than one ray meets. View factors of surfaces are sums over their elements,
 //! whose errors partly cancel: there s is that of the sums ([`wholes`]). Rounds of twice as many rays as the
 //! one before follow until the error is small enough for the view factors of either element, relative to the
-//! largest of its row, or until [`most_rays`]. Where the largest error is to stay above what is asked, pairs whose
-//! errors are below half of it get no more ([`AMONG_WORST`]), and ends that would tell little send none
-//! ([`LARGER`]); others get no more rays for that. The rays that tell when to stop are those that tell the error,
-//! so that it is told a little too small.
+//! largest of its row, or until [`most_rays`]. Where the largest error is to stay above what is asked, pairs
+//! whose errors are below half of it get no more ([`AMONG_WORST`]), and ends that would tell little send none
+//! ([`LARGER`]); others get no more rays for that. The rays that tell when to stop are those that tell the
+//! error, so that it is told a little too small.
 //!
 //! A value by rules is kept where rays agree with it and its own error, times [`MISSED_BY_RULES`], is smaller
 //! than theirs.
@@ -62,12 +62,12 @@ const ENOUGH: f64 = 1e-6;
 /// cones.
 const REACHED: f64 = 1e-4;
 
-/// Errors by this much smaller than the largest one will be in the end, by the law of √N, are enough where that one
-/// stays above what is asked: it is what is told. Chosen: the sum of both squares is a quarter more.
+/// Errors by this much smaller than the largest one will be in the end, by the law of √N, are enough where that
+/// one stays above what is asked: it is what is told. Chosen: the sum of both squares is a quarter more.
 const AMONG_WORST: f64 = 0.5;
 
-/// Ratio of areas from which the larger end of a pair sends no rays for it after the first round: they would be a
-/// sixteenth of what counts, and change the error by 3 %.
+/// Ratio of areas from which the larger end of a pair sends no rays for it after the first round: they would be
+/// a sixteenth of what counts, and change the error by 3 %.
 const LARGER: f64 = 16.0;
 
 /// Relative error of rays that is enough to check a value by rules: those that failed are off by more. With a
@@ -206,8 +206,8 @@ impl LeftPairs<'_> {
         }
     }
 
-    /// The elements whose rays tell most of these pairs: both ends, or the smaller one alone. A ray counts by one
-    /// over the area that it leaves.
+    /// The elements whose rays tell most of these pairs: both ends, or the smaller one alone. A ray counts by
+    /// one over the area that it leaves.
     fn senders(&self, pairs: &[&UnreachedPair]) -> HashSet<usize> {
         let telling = |pair: &&UnreachedPair| {
             let ends = [pair.row, pair.column];

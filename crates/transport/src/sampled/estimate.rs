@@ -2,8 +2,8 @@
 //!
 //! With W_i the rays of element i (the sum of their weights) and D_ij = W_i/A_i + W_j/A_j,
 //! G_ij = S_ij / D_ij; of a pair of which hidden rays alone are counted S_ij is what D_ij tells of the block if
-//! nothing were hidden, less their sums ([`unhidden_pairs`](super::unhidden_pairs)). Two things are known beside it: the rays of i that count on no pair, and how these are
-//! spread over i, tell the projections
+//! nothing were hidden, less their sums ([`unhidden_pairs`](super::unhidden_pairs)). Two things are known beside
+//! it: the rays of i that count on no pair, and how these are spread over i, tell the projections
 //!
 //! ```text
 //! t_i^k = ∫ φ_k s dA = c_i^k − (A_i/W_i) Σ w φ_k(x)   over the rays that count on no pair ,
@@ -14,10 +14,10 @@
 //! variances, α = V/(V + V_own) with
 //!
 //! ```text
-//! V_i = Σ_j max(1, n_ij) / D_ij² ,     V_own,i = A_i² p (1 − p) / W_i ,     p the share of rays that are not lost ,
+//! V_i = Σ_j max(1, n_ij) / D_ij² ,     V_own,i = A_i² p (1 − p) / W_i ,
 //! ```
 //!
-//! the better of the two counts: Σ_j G_ij c_j + α (t_i − Σ_j G_ij c_j). For k = 0 factors d_i G_ij d_j bring
+//! p the share of rays that are not lost, the better of the two counts: Σ_j G_ij c_j + α (t_i − Σ_j G_ij c_j). For k = 0 factors d_i G_ij d_j bring
 //! it about ([`closure`]); for k > 0 what is missing is spread over the entries G_ij^k0 in the proportions of
 //! the exchanges. G stays symmetric, and a closed scene keeps its power.
 
