@@ -17,9 +17,9 @@
 //! V_i = Σ_j max(1, n_ij) / D_ij² ,     V_own,i = A_i² p (1 − p) / W_i ,
 //! ```
 //!
-//! p the share of rays that are not lost, the better of the two counts: Σ_j G_ij c_j + α (t_i − Σ_j G_ij c_j). For k = 0 factors d_i G_ij d_j bring
-//! it about ([`closure`]); for k > 0 what is missing is spread over the entries G_ij^k0 in the proportions of
-//! the exchanges. G stays symmetric, and a closed scene keeps its power.
+//! p the share of rays that are not lost, the better of the two counts: Σ_j G_ij c_j + α (t_i − Σ_j G_ij c_j).
+//! For k = 0 factors d_i G_ij d_j bring it about ([`closure`]); for k > 0 what is missing is spread over the
+//! entries G_ij^k0 in the proportions of the exchanges. G stays symmetric, and a closed scene keeps its power.
 
 use std::collections::HashSet;
 
