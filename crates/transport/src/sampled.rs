@@ -13,6 +13,9 @@
 //! even and of odd number are two estimates of their own: half of what they differ by is about the error of
 //! their mean.
 //!
+//! Of pairs whose blocks are known but for what hides a part of them, only the rays that are stopped on the way
+//! count ([`unhidden_pairs`]).
+//!
 //! Pairs on which many rays would land are carried by the exact rules, if that costs less ([`exact_pairs`]).
 //!
 //! What lies on another surface exchanges with it alone, exactly ([`radiosity_kernel::rules::covering`]), and
@@ -27,6 +30,7 @@ mod hit;
 mod tally;
 mod element_sums;
 mod exact_pairs;
+mod unhidden_pairs;
 mod rays;
 mod closure;
 mod estimate;
@@ -58,6 +62,7 @@ use sender::{Departure, Sender};
 pub use standing::StandingRays;
 use standing::{ElementRays, StandingRay, State};
 use tally::{Sums, Tally};
+use unhidden_pairs::UnhiddenPairs;
 
 /// Relative error of exact pairs, as far as it matters here. Chosen: the default accuracy of their blocks.
 const EXACT: f64 = 1e-3;
@@ -90,6 +95,8 @@ pub struct SampledTransport<'a> {
     worth: HashSet<(u32, u32)>,
     /// The pairs on which rays count, if not on all but the exact pairs.
     only: Option<HashSet<(u32, u32)>>,
+    /// The pairs among these of which only what is hidden is counted.
+    unhidden: UnhiddenPairs,
     /// Hits of these rays in the scene before, if those were kept.
     kept: Option<KeptRays>,
     /// The rays that count, where they stand from scene to scene.
@@ -145,6 +152,7 @@ impl<'a> SampledTransport<'a> {
     ) -> Self {
         let starts = elements.starts();
         Self {
+            unhidden: UnhiddenPairs::among(&pairs, elements.list()),
             only: Some(pairs),
             held: HeldRows::of(Ranks::alone(), &starts),
             ..Self::numbered(elements, visibility, &|element| numbers[element], ranks)
@@ -175,6 +183,7 @@ impl<'a> SampledTransport<'a> {
             exact_pairs: ExactPairs::default(),
             worth: HashSet::new(),
             only: None,
+            unhidden: UnhiddenPairs::default(),
             kept: None,
             rays: None,
         }
@@ -230,6 +239,7 @@ impl<'a> SampledTransport<'a> {
             exact_pairs,
             worth,
             only: None,
+            unhidden: UnhiddenPairs::default(),
             kept: None,
             rays: Some(rays),
         })
@@ -437,11 +447,16 @@ impl<'a> SampledTransport<'a> {
             let departure = sender.departure(index);
             let half = (index % 2) as usize;
             let encounter = self.first_hit(task.element, index, &departure, &mut sent);
-            let hit = hit(self.elements, task.element, index, &departure, encounter);
+            let hit_by = |met| hit(self.elements, task.element, index, &departure, met);
+            let hidden = self.unhidden.hidden(element, &departure, encounter.as_ref());
+            let hidden = hidden.and_then(|hidden| hit_by(Some(hidden)));
+            let hit = hit_by(encounter);
             let is_exact = hit.is_some_and(|hit| !self.counts(hit.pair()));
             let ray = CountedRay { element, departure: &departure, half, sign: 1.0 };
             let RaySums { sums, hits } = &mut sent.sums;
-            hits.extend(sums.count(ray, hit, is_exact));
+            let is_unhidden = |hit: &Hit| self.unhidden.first_entry(hit.pair()).is_some();
+            hits.extend(sums.count(ray, hit, is_exact).filter(|hit| !is_unhidden(hit)));
+            hits.extend(hidden.filter(is_unhidden));
         }
         sent
     }
@@ -479,8 +494,9 @@ impl<'a> SampledTransport<'a> {
 
     /// The blocks by some of the rays, beside the `fixed` ones.
     fn estimate(&self, fixed: &Fixed, rays: Rays) -> Estimate<'_> {
-        let Self { tally, held, .. } = self;
-        Estimate::new(self.elements.list(), &self.starts, Counted { tally, held, rays }, &self.counts, fixed)
+        let Self { tally, unhidden, held, .. } = self;
+        let counted = Counted { tally, unhidden, held, rays };
+        Estimate::new(self.elements.list(), &self.starts, counted, &self.counts, fixed)
     }
 
     /// Estimate of G by the rays sent since the pilot round, or so far, if that has not ended.

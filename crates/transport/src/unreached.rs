@@ -13,8 +13,10 @@
 //! the last term for what fewer than one ray meets. View factors of surfaces are sums over their elements,
 //! whose errors partly cancel: there s is that of the sums ([`wholes`]). Rounds of twice as many rays as the
 //! one before follow until the error is small enough for the view factors of either element, relative to the
-//! largest of its row, or until [`most_rays`]. The rays that tell when to stop are those that tell the error,
-//! so that it is told a little too small.
+//! largest of its row, or until [`most_rays`]. Where the largest error is to stay above what is asked, pairs
+//! whose errors are below half of it get no more ([`AMONG_WORST`]), and ends that would tell little send none
+//! ([`LARGER`]); others get no more rays for that. The rays that tell when to stop are those that tell the
+//! error, so that it is told a little too small.
 //!
 //! A value by rules is kept where rays agree with it and its own error, times [`MISSED_BY_RULES`], is smaller
 //! than theirs.
@@ -59,6 +61,14 @@ const ENOUGH: f64 = 1e-6;
 /// Relative error that most pairs get to by all rays they may have: 5e-5 to 2e-4 on spheres, cylinders and
 /// cones.
 const REACHED: f64 = 1e-4;
+
+/// Errors by this much smaller than the largest one will be in the end, by the law of √N, are enough where that
+/// one stays above what is asked: it is what is told. Chosen: the sum of both squares is a quarter more.
+const AMONG_WORST: f64 = 0.5;
+
+/// Ratio of areas from which the larger end of a pair sends no rays for it after the first round: they would be
+/// a sixteenth of what counts, and change the error by 3 %.
+const LARGER: f64 = 16.0;
 
 /// Relative error of rays that is enough to check a value by rules: those that failed are off by more. With a
 /// smaller value the check takes as long as the rays would take by themselves.
@@ -162,28 +172,49 @@ impl LeftPairs<'_> {
             pairs.iter().flat_map(|pair| [pair.row, pair.column]).collect()
         };
         let mut open: Vec<&UnreachedPair> = self.left.iter().collect();
-        let most = most_rays(self.accuracy.eps, ends(&open).len());
-        let (mut sent, mut rays) = (0, FIRST);
+        let (mut sharing, most) = (ends(&open).len() as u64, most_rays(self.accuracy.eps, ends(&open).len()));
+        let (mut sent, mut spent, mut rays) = (0, 0, FIRST);
+        let mut senders = ends(&open);
         loop {
-            let senders = ends(&open);
-            let now = |index: usize| if senders.contains(&index) { rays } else { 0 };
-            let now: Vec<u64> = (0..self.list.len()).map(now).collect();
             for batch in batches.iter_mut() {
+                // Those that sat out rounds go on from the one they left off at.
+                let own = batch.sent().iter().map(|sent| rays.min(sent + FIRST));
+                let of_senders = |(index, own)| if senders.contains(&index) { own } else { 0 };
+                let now: Vec<u64> = own.enumerate().map(of_senders).collect();
                 batch.send(&now, &mut |_| true);
-                sent += senders.len() as u64 * rays;
-                let done = (self.left.len() as u64 * sent / most.max(sent)) as usize;
+                sent += now.iter().sum::<u64>();
+                spent += sharing * rays;
+                let done = (self.left.len() as u64 * spent / most.max(spent)) as usize;
                 work.report_done(Stage::Blocks, done, self.left.len());
             }
             let found = self.estimated(batches);
             let missing = self.left.iter().zip(&found).filter(|(pair, found)| self.is_open(pair, found));
-            open = missing.map(|(pair, _)| pair).collect();
+            let missing: Vec<(&UnreachedPair, f64)> =
+                missing.map(|(pair, found)| (pair, found.relative)).collect();
+            let within = AMONG_WORST * (spent as f64 / most as f64).min(1.0).sqrt();
+            let worst = missing.iter().map(|(_, relative)| *relative).fold(0.0, f64::max);
+            let worse = missing.iter().filter(|(_, relative)| *relative > within * worst);
+            open = worse.map(|(pair, _)| *pair).collect();
+            let missing: Vec<&UnreachedPair> = missing.into_iter().map(|(pair, _)| pair).collect();
+            (sharing, senders) = (ends(&missing).len() as u64, self.senders(&open));
             // Twice those of this round, as far as there are any left.
-            let next = (2 * rays).min(most.saturating_sub(sent) / (BATCHES * senders.len()) as u64);
+            let next = (2 * rays).min(most.saturating_sub(spent) / (BATCHES as u64 * sharing).max(1));
             if open.is_empty() || next < rays / 2 {
                 return (found, sent);
             }
             rays = next;
         }
+    }
+
+    /// The elements whose rays tell most of these pairs: both ends, or the smaller one alone. A ray counts by
+    /// one over the area that it leaves.
+    fn senders(&self, pairs: &[&UnreachedPair]) -> HashSet<usize> {
+        let telling = |pair: &&UnreachedPair| {
+            let ends = [pair.row, pair.column];
+            let least = ends.map(|end| self.list[end].area).into_iter().fold(f64::INFINITY, f64::min);
+            ends.into_iter().filter(move |end| self.list[*end].area < LARGER * least)
+        };
+        pairs.iter().flat_map(telling).collect()
     }
 
     /// Whether more rays are wanted for a pair. They cannot better a value by rules that is as good as they

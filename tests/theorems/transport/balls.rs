@@ -10,7 +10,7 @@ use radiosity::scene::Scene;
 use radiosity::visibility::{Shadows, Visibility};
 use radiosity_test_support::random::seeded;
 use radiosity_test_support::scenes::typed;
-use radiosity_test_support::solved::{blocks_of, factors_of};
+use radiosity_test_support::solved::{blocks_of, elements_of, factors_of};
 
 use crate::transport::flat::elements;
 
@@ -131,6 +131,57 @@ fn a_plate_through_a_sphere_parts_it() {
     let exact = above * above + (1.0 - above) * (1.0 - above);
     let off = (found.factor(1, 1) - exact).abs();
     assert!(off < 2e-3, "off by {off:.1e}");
+}
+
+/// A plate above the equator of a sphere. A point below the plate sees all of the sphere that is below it, by the
+/// share of area: of the upper elements the zone up to the plate, h/2, evenly. A point above sees no lower element.
+#[test]
+fn elements_of_a_sphere_see_past_a_plate_what_is_on_their_side() {
+    let (height, eps) = (0.3, 3e-3);
+    let scene = scene(&format!(
+        "@parallelogram = {{ origin = [-1,-1,{height}], edge1 = [2,0,0], edge2 = [0,2,0] }}\n\
+         @flip = true\nsphere = {{ center = [0,0,0], radius = 1 }}\n"
+    ));
+    for order in [0, 1] {
+        let elements = elements_of(&scene, order, 2);
+        let visibility = Visibility::new(&scene, Shadows::Auto, eps);
+        let blocks = blocks_of(&elements, &visibility, Accuracy { eps, shadow_eps: eps });
+        assert!(blocks.statistics.rays > 0, "order {order}: no ray is sent");
+        let is_upper = |surface: usize, v: [f64; 2]| surface == 1 && v[0] > -1e-9;
+        let is_lower = |surface: usize, v: [f64; 2]| surface == 1 && v[1] < 1e-9;
+        let lit = |is_lit: &dyn Fn(usize, [f64; 2]) -> bool| {
+            let ones = elements.constant();
+            let mut lit = vec![0.0; ones.len()];
+            for (element, start) in elements.list().iter().zip(elements.starts()) {
+                if is_lit(element.surface, element.rect.v) {
+                    lit[start] = ones[start];
+                }
+            }
+            blocks.apply(&lit)
+        };
+        let (by_upper, by_lower) = (lit(&is_upper), lit(&is_lower));
+        println!(
+            "order {order}: {} rays, {:.1e} told",
+            blocks.statistics.rays, blocks.statistics.accuracy_reached
+        );
+        let mut seen = [0, 0];
+        for (element, start) in elements.list().iter().zip(elements.starts()) {
+            let side = element.area.sqrt();
+            if is_lower(element.surface, element.rect.v) {
+                seen[0] += 1;
+                for k in 0..element.basis.len() {
+                    let exact = if k == 0 { 0.5 * height } else { 0.0 };
+                    let off = (by_upper[start + k] / side - exact).abs();
+                    assert!(off < eps, "order {order}, entry {k} of a lower element: off by {off:.1e}");
+                }
+            } else if is_upper(element.surface, element.rect.v) {
+                seen[1] += 1;
+                let off = (by_lower[start] / side - 0.5 * height).abs();
+                assert!(off < eps, "order {order}, an upper element: off by {off:.1e}");
+            }
+        }
+        assert!(seen[0] > 0 && seen[1] > 0, "the equator parts no elements");
+    }
 }
 
 /// Random balls in a room: what walls send arrives at walls and balls.

@@ -4,12 +4,13 @@ use std::f64::consts::PI;
 
 use radiosity::SceneBuilder;
 use radiosity::geom::DVec3;
-use radiosity::geom::shapes::{Cone, FULL_TURN, Torus};
+use radiosity::geom::shapes::{Cone, FULL_TURN, Sphere, Torus};
+use radiosity::kernel::Accuracy;
 use radiosity::scene::Scene;
-use radiosity::visibility::Shadows;
+use radiosity::visibility::{Shadows, Visibility};
 use radiosity_test_support::scenes::grey;
 use radiosity_test_support::shapes::{ball, disk, plate, tube};
-use radiosity_test_support::solved::factors_of;
+use radiosity_test_support::solved::{blocks_of, elements_of, factors_of};
 
 fn scene(build: impl FnOnce(&mut SceneBuilder, &radiosity::scene::NamedMaterial)) -> Scene {
     let (mut builder, grey) = grey();
@@ -65,6 +66,40 @@ fn spheres_that_nearly_touch_from_inside_see_each_other() {
         let square = radius * radius;
         check("spheres", &scene, &[(0, 1, 1.0), (1, 0, square), (1, 1, 1.0 - square)]);
     }
+}
+
+/// A hemisphere of radius r, open above, in a sphere of radius 1. Half of what its inside sends stays there, and all
+/// that its outside sends arrives: the sphere sees the inside by r²/4, the outside by r²/2, and itself by the rest.
+#[test]
+fn a_sphere_sees_itself_past_a_bowl() {
+    for radius in [0.5, 0.02] {
+        let scene = scene(|builder, grey| {
+            let bowl = Sphere::new(DVec3::ZERO, radius, DVec3::Z, [-radius, 0.0], FULL_TURN).expect("a bowl");
+            builder.surface("bowl", bowl, grey).flip();
+            builder.surface("room", ball(DVec3::ZERO, 1.0), grey).flip();
+        });
+        let square = radius * radius;
+        let known = [(0, 0, 0.5), (0, 1, 0.5), (1, 0, 0.25 * square), (1, 1, 1.0 - 0.75 * square)];
+        check("bowl", &scene, &known);
+    }
+}
+
+/// Of the pairs of a small bowl and a large sphere the rays of the bowl tell nearly all: the sphere, in parts of
+/// some thousand times its area, sends few, where the pairs of the bowl stay above what is asked.
+#[test]
+fn ends_that_tell_little_send_few_rays() {
+    let scene = scene(|builder, grey| {
+        let bowl = Sphere::new(DVec3::ZERO, 0.015, DVec3::Z, [-0.015, 0.0], FULL_TURN).expect("a bowl");
+        builder.surface("bowl", bowl, grey).flip();
+        builder.surface("room", ball(DVec3::ZERO, 1.0), grey).flip();
+    });
+    let visibility = Visibility::new(&scene, Shadows::Auto, 1e-4);
+    let blocks = blocks_of(&elements_of(&scene, 2, 2), &visibility, Accuracy { eps: 1e-4, shadow_eps: 1e-4 });
+    let [told, rays] = [blocks.statistics.accuracy_reached, blocks.statistics.rays as f64];
+    println!("{told:.1e} by {rays:.1e} rays");
+    // All eight elements alike would send 18 million: 8 million, as many as the accuracy of 1e-3 gets, grow by 10^0.35.
+    assert!(rays < 0.6 * 18e6, "{rays:.1e} rays");
+    assert!(told < 3e-3, "{told:.1e} is told");
 }
 
 #[test]

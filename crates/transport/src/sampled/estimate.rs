@@ -1,8 +1,9 @@
 //! Blocks from the sums over hits.
 //!
 //! With W_i the rays of element i (the sum of their weights) and D_ij = W_i/A_i + W_j/A_j,
-//! G_ij = S_ij / D_ij. Two things are known beside it: the rays of i that count on no pair, and how these are
-//! spread over i, tell the projections
+//! G_ij = S_ij / D_ij; of a pair of which hidden rays alone are counted S_ij is what D_ij tells of the block if
+//! nothing were hidden, less their sums ([`unhidden_pairs`](super::unhidden_pairs)). Two things are known beside
+//! it: the rays of i that count on no pair, and how these are spread over i, tell the projections
 //!
 //! ```text
 //! t_i^k = ∫ φ_k s dA = c_i^k − (A_i/W_i) Σ w φ_k(x)   over the rays that count on no pair ,
@@ -13,12 +14,14 @@
 //! variances, α = V/(V + V_own) with
 //!
 //! ```text
-//! V_i = Σ_j n_ij / D_ij² ,     V_own,i = A_i² p (1 − p) / W_i ,     p the share of rays that are not lost ,
+//! V_i = Σ_j max(1, n_ij) / D_ij² ,     V_own,i = A_i² p (1 − p) / W_i ,
 //! ```
 //!
-//! the better of the two counts: Σ_j G_ij c_j + α (t_i − Σ_j G_ij c_j). For k = 0 factors d_i G_ij d_j bring
-//! it about ([`closure`]); for k > 0 what is missing is spread over the entries G_ij^k0 in the proportions of
-//! the exchanges. G stays symmetric, and a closed scene keeps its power.
+//! p the share of rays that are not lost, the better of the two counts: Σ_j G_ij c_j + α (t_i − Σ_j G_ij c_j).
+//! For k = 0 factors d_i G_ij d_j bring it about ([`closure`]); for k > 0 what is missing is spread over the
+//! entries G_ij^k0 in the proportions of the exchanges. G stays symmetric, and a closed scene keeps its power.
+
+use std::collections::HashSet;
 
 use radiosity_elements::Element;
 use radiosity_kernel::Blocks;
@@ -31,6 +34,7 @@ use crate::sampled::closure::Exchange;
 use crate::sampled::element_sums::ElementSums;
 use crate::sampled::rays::Rays;
 use crate::sampled::tally::{Sums, Tally};
+use crate::sampled::unhidden_pairs::UnhiddenPairs;
 
 /// Sums over the rays of each element: those sent, those that met no front, those on exact pairs.
 #[derive(Debug)]
@@ -67,6 +71,8 @@ impl Counts {
 pub(super) struct Counted<'a> {
     /// The sums over the pairs of which this rank holds one of the elements.
     pub tally: &'a Tally,
+    /// The pairs of which the hits are those that are hidden.
+    pub unhidden: &'a UnhiddenPairs,
     pub held: &'a HeldRows,
     pub rays: Rays,
 }
@@ -88,6 +94,8 @@ pub(super) struct Estimate<'a> {
     list: &'a [Element],
     starts: &'a [usize],
     counted: Counted<'a>,
+    /// Pairs that rays would be counted on if they were hidden, and none was.
+    wholly_seen: Vec<(u32, u32)>,
     /// W_i, the sum of the weights of the rays of each element.
     weights: Vec<f64>,
     /// V_own,i, the variance of an element's total exchange by its own rays (length⁴).
@@ -117,6 +125,16 @@ pub(crate) struct Fixed<'a> {
     pub blocks: &'a Blocks,
 }
 
+impl Counted<'_> {
+    /// The pairs of which hidden rays alone are counted, and none was met.
+    fn wholly_seen(&self) -> Vec<(u32, u32)> {
+        let unhidden: HashSet<(u32, u32)> = self.unhidden.pairs().collect();
+        let met = self.tally.iter().map(|sums| sums.pair()).filter(|pair| unhidden.contains(pair));
+        let met: HashSet<(u32, u32)> = met.collect();
+        self.unhidden.pairs().filter(|pair| !met.contains(pair)).collect()
+    }
+}
+
 impl<'a> Estimate<'a> {
     /// The estimate by the rays that count.
     pub(super) fn new(
@@ -132,7 +150,9 @@ impl<'a> Estimate<'a> {
             halves[0].iter().zip(&halves[1]).map(|(even, odd)| rays.of([*even, *odd])).collect()
         };
         let (missed, exact) = (all(&counts.missed), all(&counts.exact));
-        let mut estimate = Self { list, starts, counted, weights, variances: Vec::new(), known: Vec::new() };
+        let wholly_seen = counted.wholly_seen();
+        let [variances, known] = [Vec::new(), Vec::new()];
+        let mut estimate = Self { list, starts, counted, wholly_seen, weights, variances, known };
         for index in 0..list.len() {
             let range = starts[index]..starts[index + 1];
             estimate.take(index, &missed[range.clone()], &exact[range], fixed);
@@ -204,7 +224,8 @@ impl<'a> Estimate<'a> {
         let Corrections { factors, tilts, totals } = how;
         let Sums { row, column, .. } = *sums;
         let factor = factors[row] * factors[column];
-        let mut values: Vec<f64> = self.counted.rays.sums(sums).map(|sum| factor * sum / density).collect();
+        let mut values = self.sums(sums, density);
+        values.iter_mut().for_each(|value| *value = factor * *value / density);
         let amount = factor * exchange.amount;
         let columns = self.list[column].basis.len();
         if amount > 0.0 {
@@ -225,7 +246,7 @@ impl<'a> Estimate<'a> {
         let mut projected = vec![0.0; self.known.len()];
         for (sums, density) in self.pairs() {
             let Sums { row, column, .. } = sums;
-            let values: Vec<f64> = self.counted.rays.sums(&sums).collect();
+            let values = self.sums(&sums, density);
             let factor = factors[row] * factors[column] / density;
             let [rows, columns] = [row, column].map(|index| self.list[index].basis.len());
             for k in 0..rows {
@@ -245,11 +266,14 @@ impl<'a> Estimate<'a> {
     /// The pairs in the rows of all ranks, rank by rank.
     fn pair_estimates(&self) -> Vec<PairEstimate> {
         let Counted { held, rays, .. } = self.counted;
-        let estimate = |(sums, density): (Sums<'_>, f64)| PairEstimate {
-            exchange: self.exchange(&sums, density),
-            variance: rays.share() * f64::from(sums.hits) / (density * density),
-            is_cross: sums.is_cross,
-            is_zero: rays.sums(&sums).all(|sum| sum == 0.0),
+        let estimate = |(sums, density): (Sums<'_>, f64)| {
+            let values = self.sums(&sums, density);
+            PairEstimate {
+                exchange: self.exchange(&sums, values[0], density),
+                variance: rays.share() * f64::from(sums.hits.max(1)) / (density * density),
+                is_cross: sums.is_cross,
+                is_zero: values.iter().all(|sum| *sum == 0.0),
+            }
         };
         let own: Vec<PairEstimate> =
             self.pairs().filter(|(sums, _)| held.has(sums.row)).map(estimate).collect();
@@ -259,15 +283,26 @@ impl<'a> Estimate<'a> {
     /// The pairs on which rays count and of which this rank holds an element, with D_ij.
     fn pairs(&self) -> impl Iterator<Item = (Sums<'_>, f64)> {
         let density = |index: usize| self.weights[index] / self.list[index].area;
-        let pairs =
-            self.counted.tally.iter().map(move |sums| (sums, density(sums.row) + density(sums.column)));
+        let unmet =
+            self.wholly_seen.iter().map(|(row, column)| Sums::nothing(*row as usize, *column as usize));
+        let pairs = self.counted.tally.iter().chain(unmet);
+        let pairs = pairs.map(move |sums| (sums, density(sums.row) + density(sums.column)));
         pairs.filter(|(_, density)| *density > 0.0)
     }
 
-    /// A_i F_ij = ∫ φ_0 dA_i G_ij^00 ∫ φ_0 dA_j.
-    fn exchange(&self, sums: &Sums, density: f64) -> Exchange {
+    /// S_ij, row-major, or as told by `is_cross`.
+    fn sums(&self, sums: &Sums, density: f64) -> Vec<f64> {
+        let Counted { unhidden, rays, .. } = self.counted;
+        let Some(first) = unhidden.first_entry(sums.pair()) else { return rays.sums(sums).collect() };
+        let mut seen = vec![0.0; self.list[sums.row].basis.len() * self.list[sums.column].basis.len()];
+        seen[0] = density * first;
+        seen.iter_mut().zip(rays.sums(sums)).for_each(|(seen, hidden)| *seen -= hidden);
+        seen
+    }
+
+    /// A_i F_ij = ∫ φ_0 dA_i G_ij^00 ∫ φ_0 dA_j, with the first of the sums.
+    fn exchange(&self, sums: &Sums, first: f64, density: f64) -> Exchange {
         let [a, b] = [sums.row, sums.column].map(|index| &self.list[index]);
-        let first = self.counted.rays.sums(sums).next().unwrap_or(0.0);
         let amount = a.constant[0] * first * b.constant[0] / density;
         Exchange { row: sums.row as u32, column: sums.column as u32, amount }
     }

@@ -70,6 +70,16 @@ pub(super) struct Sums<'a> {
 }
 
 impl Sums<'_> {
+    /// The sums of a pair on which no ray landed.
+    pub(super) fn nothing(row: usize, column: usize) -> Self {
+        Self { row, column, hits: 0, is_cross: false, halves: [&[], &[]] }
+    }
+
+    /// Its two elements.
+    pub(super) fn pair(&self) -> (u32, u32) {
+        (self.row as u32, self.column as u32)
+    }
+
     /// Where the entry (k, 0) stands among the sums of a half, of a block of so many columns.
     pub(super) fn place(&self, k: usize, columns: usize) -> usize {
         if self.is_cross && k > 0 { columns + k - 1 } else { k * columns }
