@@ -44,7 +44,7 @@ pub(crate) fn load(
         frame: given.value::<Number<Finite>>("frame")?.map(f64::from),
         tolerance: given.value::<Number<Length>>("tolerance_length")?.map(f64::from),
         strict: given.flag("strict")?,
-        reach: photometry::files::Reach::Inside,
+        reach: radiosity::photometry::files::Reach::Inside,
         import: given.fields()?,
     };
     given.finish("load")?;

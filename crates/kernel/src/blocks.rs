@@ -289,10 +289,11 @@ impl Blocks {
         self.completed(&own)
     }
 
-    /// y = G x for each of several x, which pass the blocks together.
+    /// y = G x for each of several x, which pass the blocks together where they are many. Few have the bits of
+    /// [`Blocks::apply`], so that light does not depend on groups that are dark.
     pub fn apply_to_each(&self, all: &[Vec<f64>]) -> Vec<Vec<f64>> {
-        if let [x] = all {
-            return vec![self.apply(x)];
+        if all.len() <= lanes::WIDTH {
+            return all.iter().map(|x| self.apply(x)).collect();
         }
         let bundles = all.par_chunks(lanes::WIDTH).map(|bundle| self.apply_to_lanes(&Lanes::of(bundle)));
         let products = bundles.collect::<Vec<_>>();

@@ -322,7 +322,7 @@ impl SurfaceDraft {
             place: self.typed.as_ref().and_then(|typed| typed.place.clone()),
         };
         let other = self.back.as_ref().unwrap_or(&front);
-        let back = self.two_sided.then(|| side(back_of(&name), !self.flip, other));
+        let back = self.two_sided.then(|| side(back_of(name), !self.flip, other));
         [side(name.clone(), self.flip, &front)].into_iter().chain(back).collect()
     }
 }
