@@ -224,32 +224,6 @@ fn what_is_right_is_not_to_be_turned_over() {
     }
 }
 
-/// Walls and a roof whose fronts are outside, open below: they see no front, and would see none turned over.
-#[test]
-fn a_house_without_a_floor_is_not_to_be_turned_over() {
-    let house = "title = \"house\"\nbands = [\"grey\"]\n[camera]\neye = [9, 9, 2]\ntarget = [0, 0, 1]\n\
-                 [materials.white]\nreflectance = 0.5\nemission = 1\n[[surfaces]]\nname = \"house\"\nmaterial = \"white\"\n\
-                 box = { origin = [0, 0, 0], size = [2, 2, 2], open = [\"bottom\"] }\n";
-    assert_clean(house);
-}
-
-/// A pane before a whole wall has that wall behind it, not outside; an eave that shades it is outside.
-#[test]
-fn the_wall_behind_a_pane_is_not_outside() {
-    let pane = "[sky]\nmodel = \"uniform\"\nilluminance = 100\n[[surfaces]]\nname = \"pane\"\nmaterial = \"white\"\n\
-                opening = true\nquad = { vertices = [[-1, -2.95, 1], [-1, -2.95, 2], [1, -2.95, 2], [1, -2.95, 1]] }\n";
-    let room = format!("{ROOM}{pane}");
-    let checked = |room: &str| {
-        let folder = folder(&[("room.toml", room)]);
-        program::done(folder.path(), &["check", "room.toml"])[0].clone()
-    };
-    let found = checked(&room);
-    assert!(!found.contains("outside before it"), "{found}");
-    // A wall as far off as the pane is wide stands outside.
-    let far = room.replace("-2.95", "-1.5");
-    assert!(checked(&far).contains("outside before it"), "{}", checked(&far));
-}
-
 /// A lone point in a solid, where light is rounding, is warned of.
 #[test]
 fn a_lone_point_in_a_solid_is_warned_of() {

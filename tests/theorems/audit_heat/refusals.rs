@@ -27,17 +27,17 @@ fn refused(text: &str) -> String {
 fn what_walks_cannot_tell_is_refused_with_names_and_cure() {
     assert!(HeatReferee::of(&typed(BOX)).is_ok());
     let unknown = refused(&BOX.replace(", adiabatic = true", ""));
-    assert!(unknown.contains("wall-left") && unknown.contains("adiabatic = true"), "{unknown}");
+    assert!(unknown.contains("\"wall-left\"") && unknown.contains("adiabatic = true"), "{unknown}");
     let floats = refused(&BOX.replace("temperature = 1000", "heat_flux = 5"));
-    assert!(floats.contains("floor") && floats.contains("give one of them a temperature"), "{floats}");
+    assert!(floats.contains("\"floor\"") && floats.contains("give one of them a temperature"), "{floats}");
     let coloured =
         format!("bands = [\"r\", \"g\"]\n{}", BOX.replace("emissivity = 0.5", "reflectance = 0.5"));
     let coloured = refused(&coloured.replace("adiabatic = true", "heat_flux = 1"));
-    assert!(coloured.contains("no emissivity") && coloured.contains("wall-left"), "{coloured}");
+    assert!(coloured.contains("no emissivity") && coloured.contains("\"wall-left\""), "{coloured}");
     // A part by itself in a scene that has a temperature.
     let apart = BOX.replace("origin = [0, 0, 0]", "origin = [5, 0, 0]").replace(", open = [\"bottom\"]", "");
     let apart = refused(&apart.replace("adiabatic = true", "heat_flux = 1"));
-    assert!(apart.contains("wall-left") && !apart.contains("floor"), "{apart}");
+    assert!(apart.contains("\"wall-left\"") && !apart.contains("\"floor\""), "{apart}");
 }
 
 #[test]

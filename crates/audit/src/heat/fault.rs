@@ -7,19 +7,19 @@ use radiosity_work::wording::{Wording, words};
 #[derive(Debug, thiserror::Error)]
 pub enum HeatFault {
     /// Surfaces of which neither temperature nor flux is known.
-    #[error("neither a temperature nor a flux of heat is known of {}", listed(surfaces))]
+    #[error("neither a temperature nor a flux of heat is known of {}", quoted(surfaces))]
     NoCondition {
         /// Names of the surfaces.
         surfaces: Vec<String>,
     },
     /// Surfaces that need an emissivity.
-    #[error("no emissivity is known of {}", listed(surfaces))]
+    #[error("no emissivity is known of {}", quoted(surfaces))]
     NoEmissivity {
         /// Names of the surfaces.
         surfaces: Vec<String>,
     },
     /// Surfaces that let heat through.
-    #[error("heat would pass through {}", listed(surfaces))]
+    #[error("heat would pass through {}", quoted(surfaces))]
     Transmits {
         /// Names of the surfaces.
         surfaces: Vec<String>,
@@ -27,7 +27,7 @@ pub enum HeatFault {
     /// Surfaces from which no heat gets to a known temperature or out of the scene.
     #[error(
         "no walk ends that starts at {}: all that it meets has a known flux and none leaves",
-        listed(surfaces)
+        quoted(surfaces)
     )]
     NoLevel {
         /// Names of the surfaces.
@@ -49,4 +49,9 @@ impl HeatFault {
             Self::NoLevel { .. } => "give one of them a temperature",
         })
     }
+}
+
+/// Names in quotes, the first ones of many.
+fn quoted(names: &[String]) -> String {
+    listed(&names.iter().map(|name| format!("{name:?}")).collect::<Vec<_>>())
 }

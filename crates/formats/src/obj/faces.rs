@@ -50,8 +50,9 @@ pub(super) struct Faces {
     normals: Vec<DVec3>,
     /// The numbers of the normals at the corners of all faces, from 1 on.
     corner_normals: Vec<Option<NonZeroU32>>,
-    /// Line of the first smoothing group.
+    /// Line of the smoothing group that faces are in; that of the first one that has any.
     smoothing: Option<usize>,
+    smoothed: Option<usize>,
     notes: Vec<Note>,
 }
 
@@ -93,14 +94,15 @@ impl Faces {
             }
             "call" | "csh" => self.note("calls of other files and commands are left out", line),
             "vn" => self.normals.push(normal(rest)),
-            "s" if !["", "0", "off"].contains(&rest.to_ascii_lowercase().as_str()) => {
-                self.smoothing.get_or_insert(line);
+            "s" => {
+                let is_off = ["", "0", "off"].contains(&rest.to_ascii_lowercase().as_str());
+                self.smoothing = (!is_off).then_some(line);
             }
             "usemap" if !rest.eq_ignore_ascii_case("off") => self.note("textures are left out", line),
             "shadow_obj" | "trace_obj" => {
                 self.note("objects for shadows and reflections are left out", line);
             }
-            "vt" | "vp" | "s" | "lod" | "mg" | "bevel" | "c_interp" | "d_interp" | "usemap" | "maplib"
+            "vt" | "vp" | "lod" | "mg" | "bevel" | "c_interp" | "d_interp" | "usemap" | "maplib"
             | "cstype" | "deg" | "bmat" | "step" | "parm" | "trim" | "hole" | "scrv" | "sp" | "end"
             | "con" | "ctech" | "stech" => {}
             _ => {
@@ -148,6 +150,7 @@ impl Faces {
             None => *self.objects.entry(self.object.clone()).or_insert(next),
         };
         let material = self.material_number();
+        self.smoothed = self.smoothed.or(self.smoothing);
         self.faces.push(Face { start, object, material, line });
         Ok(())
     }
@@ -203,7 +206,7 @@ impl Faces {
     pub(super) fn add_to(&self, mesh: &mut Mesh) -> Result<(), Refusal> {
         mesh.has_normals = !self.normals.is_empty();
         mesh.model.notes.extend_from_slice(&self.notes);
-        if let Some(line) = self.smoothing.filter(|_| !mesh.has_normals) {
+        if let Some(line) = self.smoothed.filter(|_| !mesh.has_normals) {
             mesh.model.note("smoothing groups are left out: faces are flat", Some(FilePlace::Line(line)));
         }
         let mut names: Vec<(&String, &usize)> = self.objects.iter().collect();

@@ -112,7 +112,8 @@ mod tests {
             let (blocks, entries) = blocks(is_symmetric);
             for count in [0, 1, 8, 9, 19] {
                 // Some are 0 on whole elements.
-                let entry = |c: usize, i: usize| if c.is_multiple_of(3) && i < 4 { 0.0 } else { number(9 * c + i) };
+                let entry =
+                    |c: usize, i: usize| if c.is_multiple_of(3) && i < 4 { 0.0 } else { number(9 * c + i) };
                 let all: Vec<Vec<f64>> = (0..count).map(|c| (0..9).map(|i| entry(c, i)).collect()).collect();
                 let found = blocks.apply_to_each(&all);
                 assert_eq!(found.len(), count);

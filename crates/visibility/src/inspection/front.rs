@@ -94,21 +94,10 @@ pub(super) fn blind(scene: &Scene, sheets: &Sheets, shells: &[Shell], lying: &Ha
             && samples[own].iter().any(|x| samples[other].iter().any(|y| faces(x, y, behind)))
     };
     let tree = Bvh::build(&sheets.list.iter().map(|sheet| sheet.bounds).collect::<Vec<_>>());
-    // Turned over, it has to see a front: walls of a house without a floor see none either way.
-    let would_see = |own: usize| {
-        let back = |plane: &Plane| Plane { normal: -plane.normal, ..*plane };
-        let is_seen = |other: usize| {
-            let behind = sheets.list[other].two_sided;
-            let turned = || samples[own].iter().map(back);
-            other != own && turned().any(|x| samples[other].iter().any(|y| faces(&x, y, behind)))
-        };
-        (0..sheets.list.len()).any(is_seen)
-    };
     let is_blind = |own: usize| {
         !sheets.list[own].two_sided
             && !of_solids.contains(&own)
             && !tree.search(|bounds| reaches(own, bounds)).any(|other| sees(own, other))
-            && would_see(own)
     };
     if sheets.list.len() < 2 {
         return Vec::new();

@@ -19,13 +19,6 @@ const RAYS: usize = 256;
 /// Rays that have to meet a surface, as one may slip along a wall.
 const LEAST_MET: usize = 3;
 
-/// Gap between an opening and a wall behind it that it is mounted on, over the opening's size, up to which no sky is
-/// seen through the gap. Chosen: a tenth is a deep frame.
-const MOUNTED: f64 = 0.1;
-
-/// Least cosine between directions that are one. Chosen.
-const ALIGNED: f64 = 1.0 - 1e-6;
-
 /// Most names that a warning spells out.
 const SPELT: usize = 3;
 
@@ -56,20 +49,8 @@ fn warning(scene: &Scene, opening: usize, outside: &BTreeSet<usize>) -> Option<W
 fn outside(scene: &Scene, tree: &RayTree, opening: usize) -> BTreeSet<usize> {
     let shape = &scene.surfaces[opening].shape;
     let out = -shape.jet(0.0, 0.0).normal;
-    let own = shape.jet(0.0, 0.0).position;
-    let gap = MOUNTED * shape.area().sqrt();
-    // A wall on which the opening is mounted, its front into the same room, bounds that room.
-    let bears = |surface: usize| {
-        let other = &scene.surfaces[surface].shape;
-        let is_like = |plane: &PlanarRegion| {
-            plane.normal().dot(out) < -ALIGNED && (0.0..=gap).contains(&plane.height(own))
-        };
-        other.region().is_some_and(is_like)
-    };
     // The front of another opening shines into the same room.
-    let is_outside = |found: &Encounter| {
-        !(found.front && (scene.surfaces[found.surface].is_opening() || bears(found.surface)))
-    };
+    let is_outside = |found: &Encounter| !(found.front && scene.surfaces[found.surface].is_opening());
     // Both sides of a sheet count as its front.
     let sheet =
         |surface: usize| scene.surfaces[surface].other_side.map_or(surface, |other| other.min(surface));
