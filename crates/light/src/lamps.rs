@@ -158,7 +158,9 @@ impl<'a> Shares<'a> {
     /// p_l of the emitter at a place of the list, in its part.
     fn share(&self, part: &Part, place: u32) -> f64 {
         match &self.lamps.tree {
-            Some(tree) if part.lamps.len() > 1 => part.share * tree.share_of(&part.lamps, place),
+            Some(tree) if part.lamps.len() > 1 && part.share > 0.0 => {
+                part.share * tree.share_of(&part.lamps, place)
+            }
             _ => part.share,
         }
     }
@@ -251,6 +253,23 @@ mod tests {
             for lamp in &lamps.list {
                 let expected = share(lamp) * f64::from(count);
                 assert!((f64::from(met[lamp.element]) - expected).abs() <= 2.0, "{expected}");
+            }
+        }
+    }
+
+    /// The power of the dim ones is lost beside that of the bright one in sums over all: shares are numbers, and the
+    /// points that are chosen have a density.
+    #[test]
+    fn dim_emitters_beside_a_bright_one_have_shares() {
+        let elements = elements();
+        let lamps = Lamps::by(elements.list(), |element| if element == 0 { 1.0 } else { 1e-20 });
+        for receiver in receivers() {
+            let shares = lamps.seen_from(&receiver);
+            let densities: Vec<f64> = lamps.list.iter().map(|lamp| shares.density(lamp.element)).collect();
+            assert!(densities.iter().all(|density| density.is_finite()), "{receiver:?}");
+            for k in 0..if shares.is_empty() { 0 } else { 100 } {
+                let target = shares.target([(f64::from(k) + 0.5) / 100.0, 0.5, 0.5]);
+                assert!(target.density > 0.0 && target.density == shares.density(target.element));
             }
         }
     }

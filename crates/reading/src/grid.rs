@@ -126,14 +126,6 @@ struct CellReader<'a> {
     count: usize,
 }
 
-/// The part of an element in a cell.
-struct CellPatch {
-    element: usize,
-    patch: Patch,
-    /// Area (scene length²).
-    area: f64,
-}
-
 /// Convex pieces of the outer outline of a planar surface; None for curved ones.
 fn outline(shape: &dyn Surface) -> Option<Vec<Vec<DVec3>>> {
     let region = shape.region()?;
@@ -196,16 +188,10 @@ impl Integrals {
         let elements = reader.solution().elements();
         // Elements of the other side whose light comes through.
         let mut behind = BTreeSet::new();
-        let over = |element: usize| {
-            let patches = elements.patches_over(element, rect).into_iter();
-            patches.map(move |patch| CellPatch { element, area: area(&patch), patch })
-        };
-        let patches: Vec<CellPatch> = elements.of_surface(surface).flat_map(over).collect();
-        let covered: f64 = patches.iter().map(|own| own.area).sum();
-        for own in &patches {
-            sums.add(by, own, own.area / covered, rect);
-        }
         for element in elements.of_surface(surface) {
+            for patch in elements.patches_over(element, rect) {
+                sums.add(by, element, &patch, rect);
+            }
             behind.extend(bands.iter().flat_map(|band| band.coating.all_behind(element)));
         }
         for element in behind {
@@ -216,10 +202,10 @@ impl Integrals {
         sums
     }
 
-    /// Adds the light on a patch, which is this share of its cell.
-    fn add(&mut self, by: &CellReader, own: &CellPatch, share: f64, rect: &Rect) {
-        let CellPatch { element, ref patch, area } = *own;
-        let ReadIrradiance { irradiance, deviation } = over_patch(by, element, patch, share);
+    /// Adds the light on a patch of an element.
+    fn add(&mut self, by: &CellReader, element: usize, patch: &Patch, rect: &Rect) {
+        let area = area(patch);
+        let ReadIrradiance { irradiance, deviation } = over_patch(by, element, patch);
         let irradiance: Vec<f64> = irradiance.into_iter().map(|mean| mean * area).collect();
         self.covered += area;
         if let Some(deviation) = deviation {
@@ -237,7 +223,7 @@ impl Integrals {
     /// Adds the light that comes through from a patch of an element of the other side.
     fn add_transmitted(&mut self, by: &CellReader, element: usize, patch: &Patch) {
         let area = area(patch);
-        let arriving = over_patch(by, element, patch, 1.0).irradiance;
+        let arriving = over_patch(by, element, patch).irradiance;
         for (index, band) in by.reader.solution().bands().iter().enumerate() {
             self.radiosity[index] += band.coating.transmittance(element) * area * arriving[index];
         }
@@ -261,8 +247,8 @@ impl Integrals {
 /// many do.
 const AREA_POINTS: usize = 16;
 
-/// Mean of E per band over a patch of an element, which is so large a share of what is read.
-fn over_patch(by: &CellReader, element: usize, patch: &Patch, share: f64) -> ReadIrradiance {
+/// Mean of E per band over a patch of an element.
+fn over_patch(by: &CellReader, element: usize, patch: &Patch) -> ReadIrradiance {
     let CellReader { reader, rates, count } = *by;
     let owner = &reader.solution().elements().list()[element];
     let degree = owner.basis.total_degree();
@@ -288,7 +274,7 @@ fn over_patch(by: &CellReader, element: usize, patch: &Patch, share: f64) -> Rea
         RecomputedLight::Gathered(light) => {
             let origin = Receiver::over(owner.surface, patch);
             match light.by() {
-                GatheredBy::Rays(gather) => gather.read_one_of(&origin, count, share),
+                GatheredBy::Rays(gather) => gather.read_one_of(&origin, count),
                 GatheredBy::Cells(gather) => {
                     let lit = lit(gather.direct(), owner.surface, patch, horizon, rates.direct);
                     let gathered =

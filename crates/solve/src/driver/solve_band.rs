@@ -28,12 +28,25 @@ pub(super) struct SystemsOfBand<'s, 'a> {
     pub of: &'s dyn Fn(Range<usize>) -> Vec<Ritz<'a>>,
 }
 
-impl<'a> SystemsOfBand<'_, 'a> {
-    /// The systems, some after the others, with their numbers.
-    fn some(&self) -> impl Iterator<Item = (Range<usize>, Vec<Ritz<'a>>)> {
-        let starts = (0..self.count).step_by(AT_A_TIME);
-        let ranges = starts.map(|start| start..self.count.min(start + AT_A_TIME));
-        ranges.map(|range| (range.clone(), (self.of)(range)))
+/// Systems of which the first ones are made, all of them where they are few.
+struct Made<'m, 's, 'a> {
+    systems: &'m SystemsOfBand<'s, 'a>,
+    some: Vec<Ritz<'a>>,
+}
+
+impl<'m, 's, 'a> Made<'m, 's, 'a> {
+    fn of(systems: &'m SystemsOfBand<'s, 'a>) -> Self {
+        Self { systems, some: (systems.of)(0..systems.count.min(AT_A_TIME)) }
+    }
+
+    /// Passes the systems on, some after the others, with their numbers; those beyond the first are made anew.
+    fn each(&self, visit: &mut dyn FnMut(Range<usize>, &[Ritz<'a>])) {
+        visit(0..self.some.len(), &self.some);
+        let count = self.systems.count;
+        for start in (self.some.len()..count).step_by(AT_A_TIME) {
+            let range = start..count.min(start + AT_A_TIME);
+            visit(range.clone(), &(self.systems.of)(range));
+        }
     }
 }
 
@@ -87,9 +100,9 @@ pub(super) fn solve_band(
     observe: &mut dyn FnMut(&Step<'_>),
     take: &mut dyn FnMut(RitzSolution),
 ) -> Result<SolvedBand, SolveError> {
-    let right =
-        |(_, some): (Range<usize>, Vec<Ritz<'_>>)| some.iter().map(Ritz::right_hand_side).collect::<Vec<_>>();
-    let rights: Vec<Vec<f64>> = systems.some().flat_map(right).collect();
+    let made = Made::of(systems);
+    let mut rights: Vec<Vec<f64>> = Vec::with_capacity(systems.count);
+    made.each(&mut |_, some| rights.extend(some.iter().map(Ritz::right_hand_side)));
     let before = before.filter(|before| has_sizes_of(before, &rights));
     let is_lit = |right: &[f64]| right.iter().any(|value| *value != 0.0);
     let lit: Vec<f64> = rights.iter().filter(|right| is_lit(right)).flatten().copied().collect();
@@ -103,7 +116,7 @@ pub(super) fn solve_band(
     };
     let mut cost = None;
     if !lit.is_empty() {
-        let first = &(systems.of)(0..1)[0];
+        let first = &made.some[0];
         let threads = work.ranks.threads(options.threads);
         let asked = match before {
             Some(_) if options.solver.access == Access::BySize => first.multiplying(),
@@ -143,8 +156,8 @@ pub(super) fn solve_band(
         own.map_or_else(|| vec![0.0; right.len()], <[f64]>::to_vec)
     };
     let unknowns: Vec<Vec<f64>> = rights.iter().map(own).collect();
-    for (range, some) in systems.some() {
-        Ritz::found_of_each(&some, &unknowns[range]).into_iter().for_each(&mut *take);
-    }
+    made.each(&mut |range, some| {
+        Ritz::found_of_each(some, &unknowns[range]).into_iter().for_each(&mut *take);
+    });
     Ok(SolvedBand { unknowns, cost })
 }

@@ -108,8 +108,6 @@ struct Wanted<'s> {
     least: f64,
     /// Irradiance per band below which errors are to be small relative to this (W m⁻²).
     dark: &'s [f64],
-    /// Relative accuracy.
-    eps: f64,
 }
 
 /// Numbers of cosine-distributed rays of each sequence.
@@ -168,10 +166,7 @@ impl<'a> RayGather<'a> {
     ///
     /// Polynomials are taken where they are trusted alone: patches in the dark, of which there are many, see mostly
     /// what is near.
-    ///
-    /// It is so large a `share` s of what is wanted to the accuracy ε as a whole: to ε/√s, as errors of the others are
-    /// independent.
-    pub fn read_one_of(&self, origin: &Receiver, count: usize, share: f64) -> ReadIrradiance {
+    pub fn read_one_of(&self, origin: &Receiver, count: usize) -> ReadIrradiance {
         let are_worth = self.light.lit_cells.are_worth(count as f64 * usual_rays(self.eps));
         let held = if are_worth { Held::READ.beside_cells() } else { Held::READ };
         let is_beside = self.beyond == Beyond::Polynomials && !self.light.solution.is_truncated();
@@ -187,7 +182,6 @@ impl<'a> RayGather<'a> {
             patience: PATIENCE_OF_MANY,
             least: FEW_MORE,
             dark: &dark,
-            eps: self.eps / share.sqrt(),
         };
         let mut read = self.gathered(&rays, &wanted, &vec![0.0; dark.len()]);
         if !is_walked {
@@ -259,7 +253,6 @@ impl<'a> RayGather<'a> {
             patience: PATIENCE_OF_MANY,
             least: 1.0,
             dark: &self.dark,
-            eps: self.eps,
         }
     }
 
@@ -274,7 +267,7 @@ impl<'a> RayGather<'a> {
     /// Light by these rays, as it is `wanted`; `other` light (W m⁻² per band) arrives too. Further rays are sent of the
     /// kind that errs more: around, or to far emitters.
     fn gathered(&self, rays: &ReceiverRays, wanted: &Wanted, other: &[f64]) -> ReadIrradiance {
-        let Wanted { sequences, caution, least: least_more, dark, eps, .. } = *wanted;
+        let Wanted { sequences, caution, least: least_more, dark, .. } = *wanted;
         let bands = dark.len();
         let beside = Beside { scale: &self.light.scale, dark, other };
         let RayCounts { first, least, most } = self.counts(wanted);
@@ -295,7 +288,7 @@ impl<'a> RayGather<'a> {
             let all: Option<Vec<BandLight>> =
                 direct.as_ref().map(|direct| reflected.iter().zip(direct).map(|(a, b)| a.and(b)).collect());
             let estimate = Estimate::of(all.as_ref().unwrap_or(&reflected), &beside, around.are_whole());
-            let (is_first, missed) = (around.sent() < least, caution * estimate.missed / eps);
+            let (is_first, missed) = (around.sent() < least, caution * estimate.missed / self.eps);
             if !is_first && missed <= 1.0 {
                 return estimate.into();
             }
@@ -323,8 +316,8 @@ fn sum(light: &[BandLight]) -> f64 {
 }
 
 /// Further rays after so many whose error is `missed` times what is allowed: as far as it falls as in rooms, at most as
-/// many again, and the part `least` of them at least.
+/// many again, and the part `least` of them at least. Two at least, so that readings end that are no numbers.
 fn further(sent: u64, missed: f64, least: f64) -> u64 {
     let more = (missed.powf(4.0 / 3.0) - 1.0).clamp(least, 1.0);
-    2 * (0.5 * more * sent as f64).ceil() as u64
+    2 * ((0.5 * more * sent as f64).ceil() as u64).max(1)
 }
