@@ -6,8 +6,10 @@
 //! Σ E₀ A c c' / (π d²) ,     c ≤ 1, c' ≤ 1: bounds of the cosines at x and at them, of the ball ,
 //! ```
 //!
-//! and each of them gets the part E₀ A of it; any other node is opened, as is one whose Σ E₀ A is lost beside that of
-//! those before it. As for single emitters the bound is 0 only where nothing arrives, to rounding. Reference: C. Walter et al., *Lightcuts*, ACM Transactions on Graphics 24 (2005), 1098-1107.
+//! and each of them gets the part E₀ A of it; any other node is opened, as is one whose Σ E₀ A is lost beside that
+//! of those before it. As for single emitters the bound is 0 only where nothing arrives, to rounding.
+//!
+//! Reference: B. Walter, S. Fernandez, A. Arbree et al., *Lightcuts*, ACM Trans. Graph. 24 (2005), 1098-1107.
 
 use std::f64::consts::PI;
 use std::ops::Range;
