@@ -185,10 +185,9 @@ struct Triangle {
 
 impl Factors for Triangle {
     fn solve(&self, x: &mut [f64]) {
-        let columns = x.len() / self.dim.max(1);
-        let scratch = solve::solve_in_place_scratch::<f64>(self.dim, columns, Par::Seq);
+        let scratch = solve::solve_in_place_scratch::<f64>(self.dim, 1, Par::Seq);
         let matrix = MatRef::from_column_major_slice(&self.matrix, self.dim, self.dim);
-        let x = MatMut::from_column_major_slice_mut(x, self.dim, columns);
+        let x = MatMut::from_column_major_slice_mut(x, self.dim, 1);
         solve::solve_in_place(matrix, x, Par::Seq, MemStack::new(&mut MemBuffer::new(scratch)));
     }
 

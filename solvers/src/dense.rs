@@ -9,13 +9,10 @@
 
 mod conversions;
 
-use faer::linalg::matmul::matmul;
-use faer::{Accum, MatMut, MatRef};
 use rayon::prelude::*;
 
 use crate::error::SolveError;
 use crate::operator::Operator;
-use crate::panel::Threads;
 use crate::partition::Partition;
 use crate::tolerances::ASYMMETRY_OF_ENTRIES;
 use crate::vector::{add_scaled, all_finite, dot};
@@ -150,19 +147,6 @@ impl Operator for Dense {
         }
         let rows = ROWS.min(y.len().div_ceil(self.threads)).max(1);
         y.par_chunks_mut(rows).enumerate().for_each(|(tile, y)| self.rows(tile * rows, x, y));
-    }
-
-    fn apply_many(&self, x: &[f64], y: &mut [f64]) {
-        let dim = self.dim();
-        let columns = x.len() / dim.max(1);
-        if columns < 2 {
-            return self.apply(x, y);
-        }
-        let matrix = MatRef::from_column_major_slice(&self.values, dim, dim);
-        let x = MatRef::from_column_major_slice(x, dim, columns);
-        let y = MatMut::from_column_major_slice_mut(y, dim, columns);
-        let par = Threads::new(dim, self.threads).for_columns(columns);
-        matmul(y, Accum::Replace, matrix, x, 1.0, par);
     }
 
     fn gather(&self, row: usize, x: &[f64], y: &mut [f64]) {

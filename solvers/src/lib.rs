@@ -67,8 +67,6 @@ mod operator;
 
 mod vector;
 
-mod panel;
-
 mod dense;
 
 mod block_sparse;
@@ -84,6 +82,8 @@ mod iteration;
 mod factors;
 
 mod halt;
+
+mod panel;
 
 mod diagonal;
 

@@ -166,10 +166,8 @@ impl Triangles {
 
 impl Factors for Triangles {
     fn solve(&self, x: &mut [f64]) {
-        let dim = self.rows.len();
-        let columns = x.len() / dim.max(1);
-        let scratch = solve::solve_in_place_scratch::<usize, f64>(dim, columns, Par::Seq);
-        let x = MatMut::from_column_major_slice_mut(x, dim, columns);
+        let scratch = solve::solve_in_place_scratch::<usize, f64>(x.len(), 1, Par::Seq);
+        let x = MatMut::from_column_major_slice_mut(x, self.rows.len(), 1);
         let (matrix, stack) = (self.matrix(), &mut MemBuffer::new(scratch));
         solve::solve_in_place(matrix, matrix, self.permutation(), x, Par::Seq, MemStack::new(stack));
     }
