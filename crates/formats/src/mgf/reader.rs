@@ -8,6 +8,7 @@ use crate::budget::Budget;
 use crate::builder::{Coat, ModelBuilder};
 use crate::includes::Includes;
 use crate::lines::Lines;
+use crate::mesh::ROUNDED;
 use crate::mgf::chromaticity::{Chromaticity, MixturePart};
 use crate::mgf::contexts::Contexts;
 use crate::mgf::shapes::{self, Vertex};
@@ -350,7 +351,7 @@ impl<'a> Reader<'a> {
     fn points(&mut self, ids: &[&str], line: usize) -> Result<Vec<DVec3>, Refusal> {
         let vertices = ids.iter().map(|id| self.vertices.get(id).copied()).collect::<Result<Vec<_>, _>>()?;
         if vertices.iter().any(|vertex| vertex.normal != DVec3::ZERO) {
-            self.model.note("normals of vertices are left out: faces are flat", line);
+            self.model.note(ROUNDED, line);
         }
         Ok(vertices.into_iter().map(|vertex| vertex.point).collect())
     }

@@ -86,9 +86,16 @@ impl Lamp {
             return 0.0;
         }
         let distance = step.length();
-        let above = |normal: DVec3| (step.dot(normal) + self.radius) / (distance + self.radius);
-        let cosine = above(receiver.normal).min(receiver.ground.map_or(1.0, above));
+        let cosine = cosine(receiver, step, self.radius);
         let own = height.map_or(1.0, |height| (height / distance.max(height)).max(f64::EPSILON));
         self.brightness * (self.area * cosine * own / (PI * distance * distance)).min(1.0)
     }
+}
+
+/// Bound of the cosine at a receiver of what lies in a ball of this radius, whose middle is this `step` away.
+#[inline]
+pub(super) fn cosine(receiver: &ReceiverPoint, step: DVec3, radius: f64) -> f64 {
+    let distance = step.length();
+    let above = |normal: DVec3| (step.dot(normal) + radius) / (distance + radius);
+    above(receiver.normal).min(receiver.ground.map_or(1.0, above))
 }

@@ -16,7 +16,7 @@ use std::ops::Range;
 
 use radiosity_geom::{Aabb, DVec3};
 
-use super::lamp::Lamp;
+use super::lamp::{Lamp, cosine};
 use crate::receiver_point::ReceiverPoint;
 
 /// Radius of a node over its distance, below which it is not opened: d² then varies by a factor of 2.8 within it.
@@ -120,9 +120,8 @@ impl LampNode {
     /// Bounds of the cosines at a point and at its emitters, multiplied.
     fn cosines(&self, receiver: &ReceiverPoint, distance: f64) -> f64 {
         let step = self.center - receiver.position;
-        let above = |normal: DVec3| (step.dot(normal) + self.radius) / (distance + self.radius);
-        let cosine = above(receiver.normal).min(receiver.ground.map_or(1.0, above));
-        cosine * self.normal.map_or(1.0, |normal| (self.radius - step.dot(normal)) / (distance + self.radius))
+        let own = |normal: DVec3| (self.radius - step.dot(normal)) / (distance + self.radius);
+        cosine(receiver, step, self.radius) * self.normal.map_or(1.0, own)
     }
 }
 

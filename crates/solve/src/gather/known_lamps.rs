@@ -88,7 +88,7 @@ impl LampForm {
     fn gap(&self, own: &Aabb) -> f64 {
         match self {
             Self::Flat { bounds, .. } => gap(own, bounds),
-            Self::Ball { center, radius } => (gap(own, &Aabb::around([*center])) - radius).max(0.0),
+            Self::Ball { center, radius } => (own.distance_squared(*center).sqrt() - radius).max(0.0),
         }
     }
 
