@@ -8,7 +8,7 @@
 //! ```
 //!
 //! and its points y, spread evenly, have the density p_l / A_l. An emitter of share 0 sends nothing to x. Of many
-//! emitters, those that are far together share what their ball sends, in proportion to E₀ A ([`tree`]).
+//! emitters, those that are far together share what their ball sends, in proportion to E₀ A (module `tree`).
 
 mod lamp;
 mod tree;
