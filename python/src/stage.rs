@@ -46,6 +46,7 @@ impl Stage {
 /// Refuses methods that frames do not share.
 fn check_method(method: &MethodRequest) -> Result<(), Trouble> {
     method.check()?;
+    method.check_time_of_many()?;
     let cure = |name: &'static str| words("leave it out; a scene alone is solved with ") + option(name);
     require_all_light(method, "frames that follow each other hold all light", cure)?;
     let cure = "leave it out and choose quality=, or order= and eps=, which hold for all frames";

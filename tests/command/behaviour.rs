@@ -296,8 +296,6 @@ fn a_wanted_accuracy_that_takes_too_long_keeps_the_best_run() {
     }
     let args = ["grid", "empty-box", "--accuracy", "1e-2", "--read", "basis"];
     refused(here, &args, &["--accuracy is that of gathered light", "help: add --for solution"]);
-    let args = ["solve", "empty-box", "--time-limit", "1"];
-    refused(here, &args, &["--time-limit does nothing", "help: add --accuracy"]);
     let args = ["solve", "empty-box", "--accuracy", "0.1", "--time-limit", "0"];
     let output = radiosity(here, &args);
     assert_eq!(output.status.code(), Some(2));

@@ -33,6 +33,7 @@ mod relight;
 mod report;
 mod solution_file;
 mod textures;
+mod time_limit;
 mod views;
 mod vtu;
 mod walkthroughs;

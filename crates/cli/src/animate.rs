@@ -165,6 +165,7 @@ impl AnimateArgs {
     /// Refuses methods that frames do not share.
     fn check_method(&self, asked: &Options) -> Result<(), CliError> {
         self.method.check()?;
+        self.method.check_time_of_many()?;
         self.check.check(asked)?;
         let frames = "frames that follow each other hold all light";
         let cure = |name: &'static str| words("take single frames: render --frame K ") + option(name) + " …";
@@ -234,8 +235,8 @@ pub(crate) fn run(args: &AnimateArgs, loaded: Loaded, ranks: &Ranks) -> Result<(
     };
     let points = args.probe.as_deref().map(|points| Points::load(points, ranks)).transpose()?;
     let files = args.files(&loaded, range.ends()[0], ranks)?;
-    let (progress, deadline) = (Progress::new(args.quiet, ranks), args.method.deadline());
-    let work = Work { ranks, observer: &progress, deadline: deadline.as_ref() };
+    let progress = Progress::new(args.quiet, ranks);
+    let work = Work::among(ranks).observed_by(&progress);
     let follower = Follower::new(scene, &asked, args.way(), range.ends());
     let settings = args.read.plain(&args.method);
     let read = settings.read;

@@ -67,7 +67,7 @@ impl Bake<'_> {
         forecast::require_texels(width * height, loaded.scene(), &self.args.method, less, ranks)?;
         let mut run = Run::solve(loaded, self.args, ranks)?;
         let (scene, solution) = (&run.solved.scene, &run.solved.outcome.solution);
-        let usual = || usual_read(solution, run.solved.visibility(), texels);
+        let usual = || usual_read(solution, run.solved.visibility(), texels, run.time_left());
         let read = self.args.method.read(self.read).unwrap_or_else(usual);
         let (triangles, lightmap) = run.in_threads(|| {
             let lightmap = Lightmap::new(&run.solved, read, texels as usize, &run.work());

@@ -96,13 +96,14 @@ pub(crate) fn run(args: &ConvergenceArgs, loaded: &Loaded, ranks: &Ranks) -> Res
     args.check_basis()?;
     args.check_shots()?;
     args.method.check()?;
+    args.method.check_time_of_many()?;
     check_series(&args.method, &args.other_series())?;
     let path = args.output.clone().unwrap_or_else(|| format!("{}.svg", scene.name).into());
     let kind = of_kind(&path, "kind of drawing", "choose a file ending in .svg or .png")?;
     let output = args.scene.reserve(&path, ranks)?;
     let reference = args.reference.as_deref().map(|path| same_scene(path, scene, ranks)).transpose()?;
-    let (progress, deadline) = (Progress::new(args.quiet, ranks), args.method.deadline());
-    let work = Work { ranks, observer: &progress, deadline: deadline.as_ref() };
+    let progress = Progress::new(args.quiet, ranks);
+    let work = Work::among(ranks).observed_by(&progress);
     let options = args.method.options(ranks);
     let other = args.other_series();
     let study = |reference: &Reference| match options.shots {

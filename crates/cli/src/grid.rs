@@ -76,7 +76,8 @@ pub(crate) fn run(args: &GridArgs, loaded: Loaded, ranks: &Ranks) -> Result<(), 
     let goal = goal.map(|goal| goal.read_by(by).for_readings(readings));
     let mut run = Run::to(goal, loaded, &args.run, ranks)?;
     let reading = request.reading(method, &run.solved, run.is_saved());
-    let read = || grid(&run.reader(&reading), counts.clone(), reading.rates, &run.work());
+    let pace = run.pace(readings);
+    let read = || grid(&run.reader(&reading, pace.as_ref()), counts.clone(), reading.rates, &run.work());
     let cells = run.in_threads(read)?;
     let scene = &run.solved.scene;
     let own = OwnError::of(&run.solved, &reading);
@@ -90,7 +91,7 @@ pub(crate) fn run(args: &GridArgs, loaded: Loaded, ranks: &Ranks) -> Result<(), 
     data.write(&scene.bands, "cells", &table(scene, &cells, &errors))?;
     run.add_checked(checked.map(|own| own.checked), reading.read);
     run.take_error_of_walks(cells.iter().map(|cell| (&cell.irradiance[..], cell.deviation)));
-    run.add_read_error(ReadError::of(cells.iter().map(|cell| cell.deviation)), reading.eps);
+    run.add_read_error(ReadError::of(cells.iter().map(|cell| cell.deviation)), reading.eps, pace.as_ref());
     run.finish(data.written())
 }
 

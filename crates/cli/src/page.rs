@@ -53,7 +53,7 @@ pub(crate) fn write(
     let parts = solution.groups().len().max(1);
     let texels = texels(parts, solution.bands().len());
     let pixels = PIXELS * (texels * parts) as u64;
-    let usual = || usual_read(solution, run.solved.visibility(), pixels);
+    let usual = || usual_read(solution, run.solved.visibility(), pixels, run.time_left());
     let read_by = args.method.read(read).unwrap_or_else(usual);
     let lightmap = run.in_threads(|| Lightmap::new(&run.solved, read_by, texels, &run.work()))?;
     let automatic = automatic_exposure(&run.solved, &lightmap, start);

@@ -133,7 +133,9 @@ pub(crate) fn run(
     let mut run = Run::to(goal, loaded, &args.run, ranks)?;
     let scene = &run.solved.scene;
     let reading = args.read.reading(method, &run.solved, run.is_saved());
-    let read = || probe(&run.reader(&reading), &sensors.probes(), scene.middle, &run.work());
+    let probes = sensors.probes();
+    let pace = run.pace(probes.len());
+    let read = || probe(&run.reader(&reading, pace.as_ref()), &probes, scene.middle, &run.work());
     let readings = run.in_threads(read)?;
     let readings = readings.map_err(|(index, fault)| sensors.unreadable(index, fault))?;
     let own = OwnError::of(&run.solved, &reading);
@@ -159,7 +161,7 @@ pub(crate) fn run(
     let figures = figures.collect();
     run.add_checked(checked.map(|own| own.checked), reading.read);
     run.take_error_of_walks(readings.iter().map(|reading| (&reading.irradiance[..], reading.deviation)));
-    run.add_read_error(ReadError::of(readings.iter().map(|reading| reading.deviation)), reading.eps);
+    run.add_read_error(ReadError::of(readings.iter().map(|reading| reading.deviation)), reading.eps, pace.as_ref());
     run.add_planes(figures);
     if let Sensors::Points(_) = sensors {
         run.add_points(&readings);

@@ -9,7 +9,9 @@ use radiosity_output::pictures::wireframe::wireframe;
 use radiosity_reading::own_error::OwnError;
 use radiosity_reading::pictures::printed_pixels::{PrintedPixels, settings_of_pictures};
 use radiosity_reading::pictures::raster::Raster;
-use radiosity_reading::pictures::render::{ACCURACY_OF_PREVIEWS, preview, render, white_balance};
+use radiosity_reading::pictures::render::{
+    ACCURACY_OF_PREVIEWS, preview, render, seconds_to_render, white_balance,
+};
 use radiosity_reading::pictures::seen_surfaces::SeenSurfaces;
 use radiosity_reading::quality::Quality;
 use radiosity_reading::quantity::Quantity;
@@ -132,8 +134,7 @@ pub(crate) fn run(
     let worth = worth.transpose()?;
     let solution = worth.as_ref().unwrap_or(found);
     let shot = args.shot(&run, solution, &camera, &mut style, ranks)?;
-    let note = if args.preview { PREVIEW } else { "" };
-    let mut written = format!("{}{note}", path.display());
+    let mut written = format!("{}{}", path.display(), shot.way.note());
     if kind == PictureFormat::Exr {
         let [quantity, unit] = args.shown(&run.solved.scene);
         output.write(|writer| write_exr(&shot.raster, [&quantity, &unit], writer))?;
@@ -153,9 +154,43 @@ pub(crate) fn run(
     run.finish(Some(&written))
 }
 
+/// A way of taking a picture.
+#[derive(Clone, Copy, Debug)]
+struct Way {
+    read: ReadMode,
+    /// Camera rays along each side of a pixel.
+    samples: u32,
+    /// Whether recomputed light has the accuracy of previews.
+    is_rough: bool,
+    /// Whether another way was asked for, and time was short.
+    is_hurried: bool,
+}
+
+impl Way {
+    /// A way of less time than usual pictures take.
+    const fn hurried(read: ReadMode) -> Self {
+        Self { read, samples: 1, is_rough: true, is_hurried: true }
+    }
+
+    /// A summary's words on it.
+    fn note(&self) -> &'static str {
+        match (self.is_rough, self.is_hurried, self.read) {
+            (_, true, ReadMode::Basis) => {
+                " (time was short: light as polynomials: a longer --time-limit shows shadows and edges)"
+            }
+            (_, true, _) => {
+                " (time was short: light from lamps recomputed, all other light as polynomials: a longer --time-limit is \
+                 finer)"
+            }
+            (true, false, _) => PREVIEW,
+            (false, false, _) => "",
+        }
+    }
+}
+
 /// A picture as the camera takes it.
 struct Shot {
-    read: ReadMode,
+    way: Way,
     raster: Raster,
     /// Borders of elements, where they are drawn.
     borders: Option<Vec<f64>>,
@@ -194,13 +229,11 @@ impl RenderArgs {
         style: &mut Style<'_>,
         ranks: &Ranks,
     ) -> Result<Shot, CliError> {
-        let (visibility, samples) = (run.solved.visibility(), self.samples());
-        let (read, show) = match self.importance {
-            true => (ReadMode::Basis, Quantity::Irradiance),
-            false => (self.run.method.read(self.read).unwrap_or(ReadMode::Gather), self.style.show),
-        };
+        let (visibility, show) = (run.solved.visibility(), self.shown_quantity());
+        let way = run.in_threads(|| self.way(run, solution, camera))?;
+        let Way { read, samples, .. } = way;
         let take = |solution: &Solution, visibility: &Visibility| {
-            let take = if self.preview { preview } else { render };
+            let take = if way.is_rough { preview } else { render };
             take(solution, visibility, camera, samples, read, show, &run.work())
         };
         run.in_threads(|| {
@@ -210,14 +243,41 @@ impl RenderArgs {
                 || SeenSurfaces::through(camera, samples, &run.solved.scene, visibility, ranks);
             let borders = self.style.wireframe.then(borders);
             let seen_surfaces = self.style.false_colour.then(seen_surfaces);
-            Shot { read, raster: take(solution, visibility), borders, seen_surfaces }
+            Shot { way, raster: take(solution, visibility), borders, seen_surfaces }
         })
+    }
+
+    /// The way in which the picture is taken: the one that was asked for, or, where time is limited, the best that is
+    /// done in time by its forecast.
+    fn way(&self, run: &Run, solution: &Solution, camera: &Camera) -> Way {
+        let read = if self.importance {
+            ReadMode::Basis
+        } else {
+            self.run.method.read(self.read).unwrap_or(ReadMode::Gather)
+        };
+        let asked = Way { read, samples: self.samples(), is_rough: self.preview, is_hurried: false };
+        let Some(left) = run.time_left() else { return asked };
+        let (visibility, shown) = (run.solved.visibility(), self.shown_quantity());
+        let fits = |way: &Way| {
+            let Way { read, samples, .. } = *way;
+            let seconds = seconds_to_render(solution, visibility, camera, samples, read, shown, &run.work());
+            seconds <= left.as_secs_f64()
+        };
+        let basis = Way::hurried(ReadMode::Basis);
+        let way = [asked, Way::hurried(ReadMode::Direct)].into_iter().find(fits).unwrap_or(basis);
+        run.work().ranks.note_choice(&way);
+        way
+    }
+
+    /// The quantity that the pixels hold.
+    fn shown_quantity(&self) -> Quantity {
+        if self.importance { Quantity::Irradiance } else { self.style.show }
     }
 
     /// Checks a picture of radiosity by its pixels, one of irradiance by points of surfaces.
     fn check(&self, run: &mut Run, shot: &Shot, camera: &Camera) -> Result<(), CliError> {
-        let mut settings = settings_of_pictures(shot.read);
-        if self.preview {
+        let mut settings = settings_of_pictures(shot.way.read);
+        if shot.way.is_rough {
             settings.eps = ACCURACY_OF_PREVIEWS;
         }
         if self.style.show == Quantity::Irradiance {

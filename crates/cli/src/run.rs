@@ -6,7 +6,7 @@ mod summary;
 use std::fmt::Debug;
 use std::path::Path;
 use std::sync::Arc;
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 use clap::Args;
 use radiosity_reading::checkpoint::Checkpoint;
@@ -25,7 +25,7 @@ use radiosity_solve::solved::Solved;
 use radiosity_solve::studies::adaptation::Goal;
 use radiosity_solve::{Options, in_threads};
 use radiosity_work::ranks::Ranks;
-use radiosity_work::{Deadline, Work};
+use radiosity_work::{Deadline, Pace, Work};
 
 use crate::aim::{points_file, wanted};
 use crate::checkpoint::CheckpointArgs;
@@ -37,6 +37,13 @@ use crate::options::ReportArgs;
 use crate::output_file::OutputFile;
 use crate::progress::Progress;
 use crate::typed_options::TypedOptions;
+
+/// Parts of a limited time after which light is solved, and read; the check has the rest. Chosen.
+const SOLVED: f64 = 0.5;
+const DONE: f64 = 0.9;
+
+/// Part of the time left that reading by cells may take by its forecast. Chosen.
+const SOON: f64 = 0.4;
 
 /// How a scene is solved, where that is recorded, and what is told of it.
 #[derive(Debug, Args)]
@@ -90,6 +97,8 @@ struct Start {
     ranks: Ranks,
     progress: Progress,
     deadline: Option<Arc<Deadline>>,
+    /// End of what is read, of a run whose time is limited.
+    read_until: Option<Instant>,
     report_file: Option<OutputFile>,
     /// Whether the solution was read from a file.
     is_saved: bool,
@@ -112,6 +121,7 @@ impl Start {
             ranks: ranks.clone(),
             progress: Progress::of(report, ranks),
             deadline,
+            read_until: None,
             report_file: report.reserve(ranks)?.map(|file| loaded.apart(file)).transpose()?,
             is_saved: matches!(loaded.content, Content::Solved(_)),
             is_strict: loaded.is_strict,
@@ -123,6 +133,11 @@ impl Start {
     fn work(&self) -> Work<'_> {
         Work { ranks: &self.ranks, observer: &self.progress, deadline: self.deadline.as_deref() }
     }
+}
+
+/// The deadline at this part of a limited time; None without a limit.
+fn deadline(args: &RunArgs, loaded: &Loaded, part: f64) -> Option<Arc<Deadline>> {
+    args.method.part_ends(loaded.started, part).map(|ends| Arc::new(Deadline::at(Some(ends))))
 }
 
 impl Run {
@@ -139,15 +154,22 @@ impl Run {
         args: &RunArgs,
         ranks: &Ranks,
     ) -> Result<Self, CliError> {
-        let deadline = args.method.deadline().map(Arc::new);
+        let deadline = deadline(args, &loaded, SOLVED);
         Self::with_options(args.method.options(ranks), goal, loaded, args, deadline, ranks)
     }
 
-    /// Solves as [`Run::solve`], and keeps what there is where the solver does not converge, or where Ctrl-C
+    /// Solves as [`Run::solve`], of which nothing is read but by the check.
+    pub(crate) fn alone(loaded: Loaded, args: &RunArgs, ranks: &Ranks) -> Result<Self, CliError> {
+        let goal = wanted(&args.method, loaded.scene(), ranks)?;
+        let deadline = deadline(args, &loaded, DONE);
+        Self::with_options(args.method.options(ranks), goal, loaded, args, deadline, ranks)
+    }
+
+    /// Solves as [`Run::alone`], and keeps what there is where the solver does not converge, or where Ctrl-C
     /// ends the rays.
     pub(crate) fn keeping_parts(loaded: Loaded, args: &RunArgs, ranks: &Ranks) -> Result<Self, CliError> {
         let goal = wanted(&args.method, loaded.scene(), ranks)?;
-        let deadline = Some(interrupt::soften(args.method.ends_at()));
+        let deadline = Some(interrupt::soften(args.method.part_ends(loaded.started, DONE)));
         let options = Options { keep_partial: true, ..args.method.options(ranks) };
         Self::with_options(options, goal, loaded, args, deadline, ranks)
     }
@@ -162,7 +184,8 @@ impl Run {
     ) -> Result<Self, CliError> {
         args.method.check()?;
         args.check.check(&loaded.options(&args.method, ranks))?;
-        let start = Start::of(&loaded, &args.report, deadline, ranks)?;
+        let read_until = args.method.part_ends(loaded.started, DONE);
+        let start = Start { read_until, ..Start::of(&loaded, &args.report, deadline, ranks)? };
         let solved = match (loaded.content, goal) {
             (Content::Solved(solved), _) => *solved,
             (Content::Scene(scene), Some(goal)) => {
@@ -207,9 +230,37 @@ impl Run {
         self.start.work()
     }
 
-    /// The reader of the solution with these settings.
-    pub(crate) fn reader(&self, settings: &ReadSettings) -> Reader<'_> {
-        settings.reader(&self.solved.outcome.solution, self.solved.visibility())
+    /// The instant until which light is read, where time is limited; None among several ranks, whose clocks differ.
+    fn read_until(&self) -> Option<Instant> {
+        self.start.read_until.filter(|_| self.start.ranks.are_alone())
+    }
+
+    /// The time left to read light, where it is limited.
+    pub(crate) fn time_left(&self) -> Option<Duration> {
+        Some(self.read_until()?.saturating_duration_since(Instant::now()))
+    }
+
+    /// The pace at which so many points or cells are read, where time is limited.
+    pub(crate) fn pace(&self, readings: usize) -> Option<Pace> {
+        self.read_until().map(|ends| Pace::of(readings, self.threads, ends))
+    }
+
+    /// The reader of the solution with these settings, at this pace: then by rays, which may end at any time, unless
+    /// cells are asked for or are soon done.
+    pub(crate) fn reader<'a>(&'a self, settings: &ReadSettings, pace: Option<&'a Pace>) -> Reader<'a> {
+        let reader = |settings: &ReadSettings| {
+            settings.reader(&self.solved.outcome.solution, self.solved.visibility())
+        };
+        let Some(pace) = pace else { return reader(settings) };
+        let are_soon_done =
+            self.seconds_to_read(settings, pace.left()) < SOON * pace.time_left().as_secs_f64();
+        let by = match settings.by {
+            GatherMethod::Auto if !are_soon_done => GatherMethod::Rays,
+            by => by,
+        };
+        // Neither follows from what was typed.
+        self.start.ranks.note_choice(&("paced", by));
+        reader(&ReadSettings { by, ..*settings }).paced(pace)
     }
 
     /// The progress that is shown.
@@ -267,11 +318,12 @@ impl Run {
         self.solved.achieved.is_some_and(|achieved| achieved.by == GatherMethod::Walks)
     }
 
-    /// Adds the errors of readings by rays that were to err by `asked`.
-    pub(crate) fn add_read_error(&mut self, error: Option<ReadError>, asked: f64) {
+    /// Adds the errors of readings by rays that were to err by `asked`, read at this pace.
+    pub(crate) fn add_read_error(&mut self, error: Option<ReadError>, asked: f64, pace: Option<&Pace>) {
         // Walks are asked for an error relative to the mean, and what is dark errs by more of itself.
         let asked = if self.is_by_walks() { f64::INFINITY } else { asked };
-        self.report.add_read_error(error, asked);
+        let was_cut_short = pace.is_some_and(Pace::has_cut_short);
+        self.report.add_read_error(error, asked, was_cut_short);
     }
 
     /// Ends the run: times the output, writes the summary to stderr, writes the report; fails where a wanted

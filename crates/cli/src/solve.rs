@@ -49,7 +49,7 @@ pub(crate) fn run(args: &SolveArgs, loaded: Loaded, ranks: &Ranks) -> Result<(),
     let format = SolutionFormat::of(&path);
     format.check(&path, &args.run.method.options(ranks))?;
     let output = loaded.reserve(&path, &args.run.report, ranks)?;
-    let solve = if args.keep_partial { Run::keeping_parts } else { Run::solve };
+    let solve = if args.keep_partial { Run::keeping_parts } else { Run::alone };
     let mut run = solve(loaded, &args.run, ranks)?;
     let Outcome { converged, residual, sampling, .. } = run.solved.outcome;
     let written = format.write(&run.solved, &path, &output)?;
@@ -58,7 +58,8 @@ pub(crate) fn run(args: &SolveArgs, loaded: Loaded, ranks: &Ranks) -> Result<(),
     run.finish(Some(&written))?;
     match sampling {
         _ if !converged => Err(CliError::Partial { path, residual }),
-        Some(Sampling { rays, planned, .. }) if rays < planned => {
+        // Where time is limited, the summary tells it.
+        Some(Sampling { rays, planned, .. }) if rays < planned && args.run.method.time_limit.is_none() => {
             Err(CliError::Stopped { path, rays, planned })
         }
         _ => Ok(()),

@@ -106,6 +106,7 @@ pub fn grid(reader: &Reader, cells: impl Into<CellCounts>, rates: Rates, work: &
     let all = work.ranks.map_even(PartName::Cells, total, AT_ONCE, |place| {
         let CellPlace { surface, index, rect } = &places[place];
         let integrals = Integrals::over(&by, *surface, rect);
+        reader.note_read();
         work.report_done(Stage::Cells, done.fetch_add(1, Ordering::Relaxed) + 1, total);
         let shape = reader.solution().elements().shape(*surface);
         let area = outlines[*surface]

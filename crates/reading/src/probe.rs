@@ -121,6 +121,7 @@ pub(crate) fn probe_each(
     let done = AtomicUsize::new(0);
     let found = work.ranks.map_even(PartName::Points, probes.len(), TOGETHER, |number| {
         let found = read(reader, &probes[number], middle);
+        reader.note_read();
         work.report_done(Stage::Points, done.fetch_add(1, Ordering::Relaxed) + 1, probes.len());
         found
     });

@@ -37,9 +37,17 @@ impl ReadError {
 }
 
 impl ReadError {
-    /// A warning where readings that were to err by `asked` err by much more.
-    pub fn warning(&self, asked: f64) -> Option<Warning> {
+    /// A warning where readings that were to err by `asked` err by much more, whose time was up or not.
+    pub fn warning(&self, asked: f64, was_cut_short: bool) -> Option<Warning> {
         let message = || {
+            if was_cut_short {
+                let told = format!(
+                    "time was up before all was read as accurately as asked for: rays leave errors of {:.1e} in what is \
+                     read, {:.1e} at most, where {asked:.1e} was asked for; allow more with ",
+                    self.rms, self.largest
+                );
+                return words(told) + option("time-limit");
+            }
             let told = format!(
                 "rays leave errors of {:.1e} in what is read, {:.1e} at most, where {asked:.1e} was asked for: some points \
                  see small bright things or the edges of many; ask for a smaller ",

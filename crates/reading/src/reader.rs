@@ -7,6 +7,7 @@ use radiosity_solve::gather::gather_method::{GatherMethod, Gathering};
 use radiosity_solve::gather::read_irradiance::ReadIrradiance;
 use radiosity_solve::solution::{Solution, SurfacePlace};
 use radiosity_visibility::Visibility;
+use radiosity_work::Pace;
 use serde::Deserialize;
 
 /// The source of irradiance.
@@ -30,6 +31,7 @@ pub struct Reader<'a> {
     solution: &'a Solution,
     visibility: &'a Visibility,
     light: RecomputedLight<'a>,
+    pace: Option<&'a Pace>,
 }
 
 /// The light that a [`Reader`] recomputes.
@@ -67,7 +69,21 @@ impl<'a> Reader<'a> {
                 RecomputedLight::Gathered(by.readings(solution, visibility, eps, twice))
             }
         };
-        Self { solution, visibility, light }
+        Self { solution, visibility, light, pace: None }
+    }
+
+    /// As made, but what rays gather ends at this pace, with the error that it then has.
+    pub fn paced(self, pace: &'a Pace) -> Self {
+        let light = match self.light {
+            RecomputedLight::Gathered(light) => RecomputedLight::Gathered(light.paced(pace)),
+            light => light,
+        };
+        Self { light, pace: Some(pace), ..self }
+    }
+
+    /// Notes that a point or a cell is read, for the pace.
+    pub(super) fn note_read(&self) {
+        self.pace.iter().for_each(|pace| pace.note_done());
     }
 
     /// The solution that is read.

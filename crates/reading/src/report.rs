@@ -252,8 +252,8 @@ impl Report {
 
     /// Adds the errors of readings by rays that were to err by `asked`, with a warning where they err by much
     /// more.
-    pub fn add_read_error(&mut self, error: Option<ReadError>, asked: f64) {
-        self.warnings.extend(error.and_then(|error| error.warning(asked)));
+    pub fn add_read_error(&mut self, error: Option<ReadError>, asked: f64, was_cut_short: bool) {
+        self.warnings.extend(error.and_then(|error| error.warning(asked, was_cut_short)));
         self.read_error = error;
     }
 

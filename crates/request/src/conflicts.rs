@@ -20,7 +20,6 @@ impl MethodRequest {
     /// # Errors
     /// The first such options.
     pub fn check(&self) -> Result<(), Refusal> {
-        check_time_limit(self)?;
         check_idle(self)?;
         check_hierarchical(self)?;
         check_collocation(self)?;
@@ -33,22 +32,19 @@ impl MethodRequest {
         check_relaxing(self)?;
         check_preconditioner(self)
     }
-}
 
-/// Refuses a time limit without a wanted accuracy.
-fn check_time_limit(method: &MethodRequest) -> Result<(), Refusal> {
-    match method.time_limit {
-        Some(_) if method.wanted_accuracy().is_none() => Err(Refusal::new(
-            option("time-limit") + " does nothing without an accuracy that is wanted",
-            words("add ")
-                + option("accuracy")
-                + ", such as "
-                + set("accuracy", "1e-2")
-                + ", or leave "
-                + option("time-limit")
-                + " out",
-        )),
-        _ => Ok(()),
+    /// Refuses a time limit where many solutions follow each other, of which none is the best so far.
+    ///
+    /// # Errors
+    /// Such a limit.
+    pub fn check_time_of_many(&self) -> Result<(), Refusal> {
+        match self.time_limit {
+            None => Ok(()),
+            Some(_) => Err(Refusal::new(
+                option("time-limit") + " does nothing where many solutions follow each other",
+                words("leave it out, or solve one scene with ") + option("time-limit"),
+            )),
+        }
     }
 }
 

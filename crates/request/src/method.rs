@@ -63,8 +63,8 @@ pub struct MethodRequest {
     #[cfg_attr(feature = "clap", arg(long = "for", id = "for", value_name = "WHAT"))]
     pub aim: Option<AccuracyOf>,
 
-    /// Seconds after which no finer run begins, and rays end, where an accuracy is wanted; what there is is
-    /// written, with exit code 3
+    /// Seconds after which the run is to end with the best so far and its error: rays end, no finer run begins;
+    /// where light is read, half of them are for reading. Where an accuracy is wanted and missed, with exit code 3
     #[cfg_attr(feature = "clap", arg(long, value_name = "SECONDS"))]
     pub time_limit: Option<Number<Seconds>>,
 
@@ -297,14 +297,14 @@ impl MethodRequest {
         }
     }
 
-    /// Time at which the time limit ends, from now on; none without a limit.
-    pub fn ends_at(&self) -> Option<Instant> {
+    /// Time at which this part of the time limit ends, of a run that began at `start`; none without a limit.
+    pub fn part_ends(&self, start: Instant, part: f64) -> Option<Instant> {
         let limit = Duration::try_from_secs_f64(self.time_limit?.into()).ok()?;
-        Instant::now().checked_add(limit)
+        start.checked_add(limit.mul_f64(part))
     }
 
     /// The deadline of the time limit, from now on; none without a limit.
     pub fn deadline(&self) -> Option<Deadline> {
-        self.ends_at().map(|at| Deadline::at(Some(at)))
+        self.part_ends(Instant::now(), 1.0).map(|at| Deadline::at(Some(at)))
     }
 }

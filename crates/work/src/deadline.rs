@@ -26,6 +26,11 @@ impl Deadline {
         Self { at, accepts_wishes: AtomicBool::new(false), is_wished: AtomicBool::new(false) }
     }
 
+    /// Whether it is an instant, not the wish alone.
+    pub fn has_instant(&self) -> bool {
+        self.at.is_some()
+    }
+
     /// Wishes that the work ends. Returns whether this is the first wish that is accepted.
     pub fn wish(&self) -> bool {
         self.accepts_wishes.load(Ordering::Relaxed) && !self.is_wished.swap(true, Ordering::Relaxed)

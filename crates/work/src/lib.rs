@@ -3,8 +3,8 @@
 //! In order: `checksum`, `digits` (numbers as texts), `wording` (sentences of messages, with the names of
 //! options as data), `interruption` (ends work of which nothing is wanted any more), `ranks` (processes or
 //! threads that share work, and the journal of what they have done), `progress` and `observer` (how far it
-//! is, and who observes it), `deadline` (ends it with the best so far), `work` (ranks, observer and deadline
-//! together, as they are handed down).
+//! is, and who observes it), `deadline` (ends it with the best so far), `pace` (shares the time until then among
+//! many things), `work` (ranks, observer and deadline together, as they are handed down).
 //!
 //! Imports no other crate of the workspace.
 
@@ -17,9 +17,11 @@ pub mod ranks;
 mod progress;
 mod observer;
 mod deadline;
+mod pace;
 mod work;
 
 pub use deadline::{Deadline, WishGuard};
 pub use observer::Observer;
+pub use pace::Pace;
 pub use progress::{Progress, Stage};
 pub use work::Work;

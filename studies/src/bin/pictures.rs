@@ -54,7 +54,7 @@ fn row(name: &str) -> String {
     let solved = start.elapsed().as_secs_f64();
     let visibility = options.visibility(&scene);
     let pixels = u64::from(camera.width) * u64::from(camera.height);
-    let read = usual_read(&solution, &visibility, pixels);
+    let read = usual_read(&solution, &visibility, pixels, None);
     let start = Instant::now();
     let _ = render(&solution, &visibility, &camera, 3, read, Quantity::Radiosity, &Work::alone());
     let taken = start.elapsed().as_secs_f64();

@@ -205,7 +205,7 @@ fn told_apart(arg: &Arg) -> Option<&'static str> {
         "read_samples" => {
             "Points along each side of a cell at which direct and gathered light are computed [default: (4, 2); as `quality` says]; light is then gathered by cells"
         }
-        "time_limit" => "Seconds after which no finer run begins, and rays end, where an accuracy is wanted",
+        "time_limit" => "Seconds after which rays end, and no finer run begins",
         _ => return None,
     })
 }

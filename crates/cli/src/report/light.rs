@@ -88,9 +88,11 @@ impl<'a> ReportLight<'a> {
         let Solved { scene, outcome, .. } = &run.solved;
         let by_size = || CellCounts::by_size(scene, ABOUT, SIDE);
         let counts = self.cells.map_or_else(by_size, CellCounts::from);
+        let probes = self.sensors.probes();
+        let pace = run.pace(probes.len() + counts.total(scene.surfaces.len()));
         let (sensed, cells) = run.in_threads(|| {
-            let (reader, work) = (run.reader(&reading), run.work());
-            let sensed = probe(&reader, &self.sensors.probes(), scene.middle, &work);
+            let (reader, work) = (run.reader(&reading, pace.as_ref()), run.work());
+            let sensed = probe(&reader, &probes, scene.middle, &work);
             (sensed, grid(&reader, counts.clone(), reading.rates, &work))
         })?;
         let sensed = sensed.map_err(|(index, fault)| self.sensors.unreadable(index, fault))?;
@@ -120,7 +122,7 @@ impl<'a> ReportLight<'a> {
         let deviations = sensed.iter().map(|reading| reading.deviation);
         let error = ReadError::of(deviations.chain(cells.iter().map(|cell| cell.deviation)));
         run.add_checked(checked.map(|own| own.checked), reading.read);
-        run.add_read_error(error, reading.eps);
+        run.add_read_error(error, reading.eps, pace.as_ref());
         run.add_planes(figures);
         Ok((run, ReadLight { reading, picture, sensed, surfaces }))
     }
@@ -129,7 +131,7 @@ impl<'a> ReportLight<'a> {
 /// The picture through the camera, as `radiosity render` takes it.
 fn picture(run: &Run, camera: &Camera) -> Result<Picture, CliError> {
     let (solution, visibility) = (&run.solved.outcome.solution, run.solved.visibility());
-    let read = usual_read(solution, visibility, pixels(camera));
+    let read = usual_read(solution, visibility, pixels(camera), run.time_left());
     let take = || render(solution, visibility, camera, SAMPLES, read, Quantity::Radiosity, &run.work());
     let raster = run.in_threads(take)?;
     let image = Image::new(&raster, white_balance(solution));

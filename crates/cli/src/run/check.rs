@@ -48,8 +48,11 @@ impl Run {
         seconds_to_read(&self.solved, settings, points as f64)
     }
 
-    /// The readings that are checked of so many numbers, after so many seconds of reading.
+    /// The readings that are checked of so many numbers, after so many seconds of reading by their forecast, of which a
+    /// time limit lets fewer be spent.
     fn check_effort(&self, seconds: f64, count: usize) -> Option<CheckEffort> {
+        let limit = self.start.read_until.map(|ends| ends.saturating_duration_since(self.start.started));
+        let seconds = limit.map_or(seconds, |limit| seconds.min(limit.as_secs_f64()));
         self.check.of_solution(&self.solved, self.is_saved(), seconds, count)
     }
 }

@@ -10,7 +10,7 @@ use radiosity_reading::warning::Warning;
 use radiosity_scene::LightGroup;
 use radiosity_solve::checks::Checks;
 use radiosity_solve::studies::adaptation::Aim;
-use radiosity_solve::{Functional, ShotLimit, Shots};
+use radiosity_solve::{Functional, Sampling, ShotLimit, Shots};
 use radiosity_work::digits::decimals;
 
 use super::Run;
@@ -65,7 +65,13 @@ impl Run {
                     0 => String::new(),
                     pairs => format!(" and {pairs} pairs exactly"),
                 };
-                format!("{rays} rays{exact}, {rate:.1} M/s, rays leave an error of {error:.1e}")
+                let planned = match self.solved.outcome.sampling {
+                    Some(Sampling { rays, planned, .. }) if rays < planned => {
+                        format!(" of {planned}, as time was up,")
+                    }
+                    _ => String::new(),
+                };
+                format!("{rays} rays{planned}{exact}, {rate:.1} M/s, rays leave an error of {error:.1e}")
             }
             _ => format!("{kernel_samples} kernel samples, {shadow_rays} shadow rays"),
         }

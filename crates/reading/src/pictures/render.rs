@@ -6,6 +6,7 @@
 //! field of the whole picture (`light_field`).
 
 use std::ops::Range;
+use std::time::Duration;
 
 use radiosity_scene::Camera;
 use radiosity_solve::gather::gather_method::GatherMethod;
@@ -76,6 +77,22 @@ pub fn preview(
     alone(&light.showing(shown, camera.eye), visibility, camera, samples, work)
 }
 
+/// About the seconds that [`render`] takes with these settings.
+pub fn seconds_to_render(
+    solution: &Solution,
+    visibility: &Visibility,
+    camera: &Camera,
+    samples: u32,
+    read: ReadMode,
+    shown: Quantity,
+    work: &Work<'_>,
+) -> f64 {
+    let light = PictureLight::new(solution, visibility, read, GATHERED_FOR_PICTURES);
+    let light = light.showing(shown, camera.eye);
+    let eye = Eye::of(light.solution(), visibility);
+    Shot::through(camera, &light, &eye, samples, work).seconds()
+}
+
 /// The picture of this light through `camera`, which no other one shares its light with.
 fn alone(
     light: &PictureLight,
@@ -140,13 +157,20 @@ fn strip(
 }
 
 /// Source of light of a picture of so many pixels unless told otherwise: gathered, if two threads do that
-/// within some ten seconds, else with direct light alone recomputed. Direct light takes its time in both.
-pub fn usual_read(solution: &Solution, visibility: &Visibility, pixels: u64) -> ReadMode {
+/// within some ten seconds and in the time `left`, if that is limited; else with direct light alone recomputed. Direct
+/// light takes its time in both.
+pub fn usual_read(
+    solution: &Solution,
+    visibility: &Visibility,
+    pixels: u64,
+    left: Option<Duration>,
+) -> ReadMode {
     let points = nodes(pixels as f64);
     let eps = AVERAGED * GATHERED_FOR_PICTURES;
     let seconds = GatherMethod::Auto.seconds(solution, visibility, eps, points, f64::INFINITY, false);
     let gathered = seconds / THREADS;
-    if gathered <= PATIENCE { ReadMode::Gather } else { ReadMode::Direct }
+    let patience = left.map_or(PATIENCE, |left| left.as_secs_f64().min(PATIENCE));
+    if gathered <= patience { ReadMode::Gather } else { ReadMode::Direct }
 }
 
 /// Factors that make the emitted light of a three-band scene white, as a camera's white balance. All are 1 if

@@ -10,12 +10,15 @@
 //! What exact blocks would cost is told beforehand by some of the pairs of surfaces: whether their planes let
 //! them see each other, whether they are flat, and how many surfaces reach into the hull of both.
 
+use std::time::Duration;
+
 use radiosity_elements::cut_sizes;
 use radiosity_elements::{Discretization, Subdivide};
 use radiosity_scene::Scene;
 use radiosity_transport::price::{ElementPair, LEAST, price};
 use radiosity_visibility::{Shadows, Visibility};
 
+use super::cost::seconds_of_rays;
 use super::light_method::LightMethod;
 use super::options::Options;
 use super::outline::Outline;
@@ -26,6 +29,9 @@ use super::transport_choice::{Transport, TransportChoice, USUAL_ACCURACY, usual_
 /// (60), whose exact blocks cost half the usual rays. Proportionally more at finer accuracies.
 const AS_GOOD: f64 = 10.0;
 
+/// Part of the time left that exact blocks may take by their price, which is right within a factor of three. Chosen.
+const IN_TIME: f64 = 0.4;
+
 /// Share of the pairs of elements that can see each other, at least, in scenes too large to be looked at.
 const SEEING: f64 = 0.25;
 
@@ -33,11 +39,12 @@ const SEEING: f64 = 0.25;
 const LOOKED_AT: usize = 2_000;
 
 impl TransportChoice {
-    /// The carrier of the pairs of `scene` by these options; `visibility` is asked for where the price of the
-    /// pairs decides.
+    /// The carrier of the pairs of `scene` by these options, with so much time `left` if that is limited; `visibility`
+    /// is asked for where the price of the pairs decides.
     pub(crate) fn of<'a>(
         scene: &Scene,
         options: &Options,
+        left: Option<Duration>,
         visibility: impl FnOnce() -> &'a Visibility,
     ) -> Self {
         let exact = |why: &str| Self { sampled: false, why: why.to_owned() };
@@ -56,14 +63,20 @@ impl TransportChoice {
             Transport::Exact => exact("asked for"),
             Transport::Sampled => sampled("asked for"),
             Transport::Auto if options.rays.is_some() => sampled("a number of rays is given"),
-            Transport::Auto => Self::by_price(scene, options, visibility),
+            Transport::Auto => Self::by_price(scene, options, left, visibility),
         }
     }
 
-    fn by_price<'a>(scene: &Scene, options: &Options, visibility: impl FnOnce() -> &'a Visibility) -> Self {
+    fn by_price<'a>(
+        scene: &Scene,
+        options: &Options,
+        left: Option<Duration>,
+        visibility: impl FnOnce() -> &'a Visibility,
+    ) -> Self {
         let usual = usual_rays(scene.surfaces.len(), USUAL_ACCURACY) as f64;
         let finer = (USUAL_ACCURACY / options.accuracy().shadow_eps).max(1.0);
-        let limit = AS_GOOD * finer * usual;
+        let in_time = left.map_or(f64::INFINITY, |left| IN_TIME * left.as_secs_f64() / seconds_of_rays(1.0));
+        let limit = (AS_GOOD * finer * usual).min(in_time);
         let (price, about) = match exact_price_at_least(scene) {
             price if price > limit => (price, "more than"),
             _ => (exact_price(scene, options, visibility()), "about"),

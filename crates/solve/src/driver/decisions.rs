@@ -1,6 +1,7 @@
 //! Decisions about a model before its elements are made: what carries its pairs, and how surfaces are cut.
 
 use std::borrow::Cow;
+use std::time::Duration;
 
 use radiosity_elements::mesh::Mesh;
 use radiosity_elements::{Discretization, Subdivide, usual_mesh};
@@ -58,7 +59,7 @@ impl Layout {
 
     /// The layout of `scene` by these options.
     pub(crate) fn of(scene: &Scene, options: &Options) -> Self {
-        let Decisions { choice, how, mesh, .. } = AssemblyPlan::default().decided(scene, options);
+        let Decisions { choice, how, mesh, .. } = AssemblyPlan::default().decided(scene, options, None);
         Self { choice, how, mesh: mesh.map_or_else(|| usual_mesh(scene, &how), Cow::into_owned) }
     }
 
@@ -74,10 +75,15 @@ impl<'a> AssemblyPlan<'a> {
         Self { mesh: Some(mesh), ..Self::default() }
     }
 
-    /// All decisions about `scene`.
-    pub(super) fn decided(self, scene: &Scene, options: &Options) -> Decisions<'a> {
+    /// All decisions about `scene`, with so much time `left` if that is limited.
+    pub(super) fn decided(
+        self,
+        scene: &Scene,
+        options: &Options,
+        left: Option<Duration>,
+    ) -> Decisions<'a> {
         let visibility = options.visibility(scene);
-        let choice = self.choice.unwrap_or_else(|| TransportChoice::of(scene, options, || &visibility));
+        let choice = self.choice.unwrap_or_else(|| TransportChoice::of(scene, options, left, || &visibility));
         let rays = choice.sampled.then(|| options.ray_budget(scene));
         let is_known = self.how.is_some();
         let Ground { how, mesh: own } = match self.how {

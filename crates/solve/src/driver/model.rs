@@ -127,12 +127,12 @@ impl Model {
 
     /// Bytes that the model of `scene` and its solution take at the most on each of these ranks, estimated.
     pub fn peak_memory(scene: &Scene, options: &Options, ranks: &Ranks) -> u64 {
-        AssemblyPlan::default().decided(scene, options).peak_memory(scene, options, ranks)
+        AssemblyPlan::default().decided(scene, options, None).peak_memory(scene, options, ranks)
     }
 
     /// As [`peak_memory`](Self::peak_memory), on the cells of `mesh`.
     pub fn peak_memory_on(mesh: &Mesh, scene: &Scene, options: &Options, ranks: &Ranks) -> u64 {
-        AssemblyPlan::on(mesh).decided(scene, options).peak_memory(scene, options, ranks)
+        AssemblyPlan::on(mesh).decided(scene, options, None).peak_memory(scene, options, ranks)
     }
 
     /// Solves `scene` by exact blocks, for the reason `why`, between the elements of a refined mesh if there is

@@ -58,7 +58,7 @@ impl Ready {
     ) -> Result<Self, Failure> {
         require_diffuse(scene, options)?;
         let mut seconds = Stages::default();
-        let decisions = timed(&mut seconds.visibility, || plan.decided(scene, options));
+        let decisions = timed(&mut seconds.visibility, || plan.decided(scene, options, work.left()));
         // The choice may depend on time or memory, which no fingerprint holds.
         work.ranks.note_choice(&(options.neutral(), decisions.choice.sampled));
         work.report(Progress::Finished { stage: Stage::Visibility, took: seconds.visibility });

@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use radiosity_solvers::method::Access;
 use radiosity_solvers::{Report, Settings, SolveError, Step};
-use radiosity_work::Work;
+use radiosity_work::{Deadline, Work};
 use radiosity_work::interruption::{self, Interruption, check_interrupt};
 
 use crate::system::ritz::{Ritz, RitzSolution};
@@ -118,8 +118,10 @@ pub(super) fn solve_band(
     if !lit.is_empty() {
         let first = &made.some[0];
         let threads = work.ranks.threads(options.threads);
-        let asked = match before {
-            Some(_) if options.solver.access == Access::BySize => first.multiplying(),
+        // Where iterations have a start few suffice, and where time is limited they have their best so far.
+        let iterates = before.is_some() || work.deadline.is_some_and(Deadline::has_instant);
+        let asked = match options.solver.access {
+            Access::BySize if iterates => first.multiplying(),
             _ => options.solver,
         };
         let (operator, preconditioner) = match before {

@@ -25,6 +25,7 @@ use radiosity_elements::sampling::kronecker;
 use radiosity_elements::sampling::lambert::lambert;
 use radiosity_elements::sampling::shift::{number_of, shift, shifted};
 use radiosity_light::receiver_point::ReceiverPoint;
+use radiosity_work::Pace;
 
 use crate::gather::bends::{Part, SentLight, bends};
 use crate::gather::met_light::{EndLight, MetLight};
@@ -118,6 +119,11 @@ impl<'a> DoubtfulPlaces<'a> {
         let shadows = gather(finest, Beyond::Trusted).with_dark(lit);
         let walks = gather(BY_WALKS, Beyond::Walked);
         Self { light, gaps, walks, shadows, bends, varying }
+    }
+
+    /// As made, but readings end at this pace.
+    pub(super) fn paced(self, pace: &'a Pace) -> Self {
+        Self { walks: self.walks.paced(pace), shadows: self.shadows.paced(pace), ..self }
     }
 
     /// All light of a point in a gap; None elsewhere.

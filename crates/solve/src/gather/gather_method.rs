@@ -14,6 +14,7 @@ use std::sync::Arc;
 use radiosity_light::direct::DirectLight;
 use radiosity_light::receiver_point::ReceiverPoint;
 use radiosity_visibility::Visibility;
+use radiosity_work::Pace;
 use serde::{Deserialize, Serialize};
 
 use crate::gather::Gather;
@@ -93,6 +94,15 @@ impl<'a> Gathering<'a> {
     /// The way in which light is gathered outside of doubtful places.
     pub fn by(&self) -> &GatheredBy<'a> {
         &self.by
+    }
+
+    /// As made, but readings by rays end at this pace: with the rays that were sent until then, and their error.
+    pub fn paced(self, pace: &'a Pace) -> Self {
+        let by = match self.by {
+            GatheredBy::Rays(gather) => GatheredBy::Rays(gather.paced(pace)),
+            by @ GatheredBy::Cells(_) => by,
+        };
+        Self { by, doubtful: self.doubtful.map(|places| Box::new(places.paced(pace))) }
     }
 
     /// All light of a point.
@@ -319,6 +329,7 @@ fn seconds_of_rays(solution: &Solution, eps: f64, twice: bool) -> f64 {
 #[cfg(test)]
 mod tests {
     use std::cell::Cell;
+    use std::time::{Duration, Instant};
 
     use radiosity_scene::Scene;
     use radiosity_work::Work;
@@ -343,6 +354,27 @@ mod tests {
         let at = |eps| GatherMethod::Cells.seconds(&solution, &visibility, eps, 10.0, SOME_POINTS, false);
         assert!(at(BY_CELLS) > 2.0 * at(5e-3));
         assert_eq!([seconds(5e-3), seconds(1e-4)], [at(BY_CELLS), at(1e-4)]);
+    }
+
+    /// A reading whose time is up keeps the rays that it has, and tells their error.
+    #[test]
+    fn readings_end_when_their_time_is_up() {
+        let (scene, solution, visibility) = cornell_box();
+        let gathering = || GatherMethod::Rays.readings(&solution, &visibility, 1e-3, false);
+        let floor = scene.surface_named("floor").expect("it is there");
+        let jet = scene.surfaces[floor].shape.jet(-0.7, -0.8);
+        let receiver = ReceiverPoint::on(floor, jet.position, jet.normal);
+        let read = |pace: &Pace| {
+            let found = gathering().paced(pace).read(&receiver);
+            (found.irradiance, found.deviation.expect("rays have one"))
+        };
+        let [ended, unhurried] =
+            [0, 1000].map(|seconds| Pace::of(1, 1, Instant::now() + Duration::from_secs(seconds)));
+        let [(rough, told), (fine, least)] = [&ended, &unhurried].map(read);
+        assert_eq!([&ended, &unhurried].map(Pace::has_cut_short), [true, false]);
+        assert!(told.relative > 3.0 * least.relative, "{told:?} {least:?}");
+        let off = rough.iter().zip(&fine).map(|(rough, fine)| (rough / fine - 1.0).abs()).fold(0.0, f64::max);
+        assert!(off < 4.0 * told.relative && off > 0.0, "{off} {told:?}");
     }
 
     /// Points on the floor of the Cornell box: what is doubtful is read anew alone, the rest as it is gathered.

@@ -18,11 +18,13 @@
 //! come to few surfaces; what is read with too few tells a deviation that is too large.
 
 use std::sync::Arc;
+use std::time::Instant;
 
 use radiosity_light::direct::DirectLight;
 use radiosity_light::receiver_point::ReceiverPoint;
 use radiosity_light::tolerances::DARK;
 use radiosity_visibility::Visibility;
+use radiosity_work::Pace;
 
 use crate::gather::known_lamps::FarLamps;
 use crate::gather::met_light::{Ending, Held, MetLight};
@@ -93,6 +95,8 @@ pub struct RayGather<'a> {
     /// Irradiance per band below which errors are to be small relative to this (W m⁻²).
     dark: Vec<f64>,
     beyond: Beyond,
+    /// The pace of readings that are to end by a deadline.
+    pace: Option<&'a Pace>,
 }
 
 /// Wishes for a reading.
@@ -136,7 +140,7 @@ impl<'a> RayGather<'a> {
             Beyond::Walked => light.usual.clone(),
             _ => light.scale.iter().map(|scale| DARK * scale).collect(),
         };
-        Self { light, direct: None, eps, dark, beyond }
+        Self { light, direct: None, eps, dark, beyond, pace: None }
     }
 
     /// As made, but errors are to be small relative to the irradiance `dark` (W m⁻² per band) where less arrives.
@@ -147,6 +151,11 @@ impl<'a> RayGather<'a> {
     /// As made, but the direct light of points is taken from `direct`.
     pub(super) fn beside(self, direct: DirectLight<'a>) -> Self {
         Self { direct: Some(direct), ..self }
+    }
+
+    /// As made, but readings end at this pace: with the rays that were sent until then, and their error.
+    pub(super) fn paced(self, pace: &'a Pace) -> Self {
+        Self { pace: Some(pace), ..self }
     }
 
     /// Direct light (W m⁻² per band) of a point by cells; None where rays find it.
@@ -272,6 +281,7 @@ impl<'a> RayGather<'a> {
         let beside = Beside { scale: &self.light.scale, dark, other };
         let RayCounts { first, least, most } = self.counts(wanted);
         let number = rays.number();
+        let ends = self.pace.map(Pace::end_of_next);
         let (mut around, mut to_far) = (Batches::of(sequences, bands), Batches::of(sequences, 2 * bands));
         let send_around = |around: &mut Batches, count: u64| {
             around.send(number, count, |number, indices, scores| rays.add(number, indices, scores));
@@ -290,6 +300,10 @@ impl<'a> RayGather<'a> {
             let estimate = Estimate::of(all.as_ref().unwrap_or(&reflected), &beside, around.are_whole());
             let (is_first, missed) = (around.sent() < least, caution * estimate.missed / self.eps);
             if !is_first && missed <= 1.0 {
+                return estimate.into();
+            }
+            if ends.is_some_and(|ends| Instant::now() >= ends) {
+                self.pace.iter().for_each(|pace| pace.note_cut_short());
                 return estimate.into();
             }
             let err_more = |direct: &Vec<BandLight>| sum(direct) > sum(&reflected);

@@ -4,14 +4,9 @@ use super::super::Typed;
 
 pub(super) const ROWS: &[Typed] = &[
     Typed {
-        bad: "solve room.toml --time-limit 9",
-        cured: "solve room.toml --time-limit 9 --accuracy 1e-1",
-        told: &["--time-limit does nothing without an accuracy", "add --accuracy, such as --accuracy 1e-2"],
-    },
-    Typed {
-        bad: "solve room.toml --time-limit 9",
-        cured: "solve room.toml",
-        told: &["--time-limit does nothing", "or leave --time-limit out"],
+        bad: "convergence room.toml --max-order 1 --time-limit 9",
+        cured: "convergence room.toml --max-order 1",
+        told: &["--time-limit does nothing where many solutions follow each other", "leave it out"],
     },
     Typed {
         bad: "render room.toml -o p.png --size 8x8 --link-measure power",
