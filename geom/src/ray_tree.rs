@@ -26,14 +26,19 @@ use crate::{Aabb, Hit, PlanarRegion, Ray, Rect, Surface};
 use build::{Content, DEEPEST, Item, Layout};
 use facet::{Facet, Meeting};
 use flats::Flats;
-use fork::{Fork, WIDTH, at_start, child, place};
+use fork::{Entry, Fork, WIDTH, at_start, child, place};
 use frame::{Frame, Ray32};
 use glam::DVec3;
 use std::sync::Arc;
 use twins::twins;
 
-/// Most children that wait to be visited: all but the nearest at each depth.
-const STACK: usize = (WIDTH - 1) * DEEPEST + WIDTH;
+/// Most children that wait to be visited in a tree so deep: all but the nearest at each depth.
+const fn most_waiting(depth: usize) -> usize {
+    (WIDTH - 1) * depth + WIDTH
+}
+
+/// Forks from the root to any leaf in most trees: a ray clears a shorter stack for these.
+const SHALLOW: usize = 5;
 
 /// Hits of t no farther apart than this part of them are one hit.
 const TIE: f64 = 1e-12;
@@ -86,6 +91,8 @@ pub struct RayTree {
     frame: Frame,
     forks: Vec<Fork>,
     flats: Vec<Flats>,
+    /// Forks from the root to any leaf, at most.
+    depth: usize,
     /// Of the flat surfaces that are such, four for each of `flats`.
     facets: Vec<Option<Facet>>,
     twins: Vec<u32>,
@@ -109,7 +116,7 @@ impl RayTree {
             surface: k as u32,
             is_flat: surface.region().is_some(),
         };
-        let Layout { forks, flats } =
+        let Layout { forks, flats, depth } =
             Layout::new(boxes.iter().zip(&surfaces).enumerate().map(item).collect());
         let facet = |place: Option<&u32>| Facet::of(&*surfaces[*place? as usize]);
         let facets = flats.iter().flat_map(|leaf| (0..flats::WIDTH).map(|k| facet(leaf.get(k)))).collect();
@@ -119,7 +126,7 @@ impl RayTree {
         let area = |surface: &Arc<dyn Surface>| surface.region().map_or(0.0, PlanarRegion::area);
         let areas = surfaces.iter().map(area).collect();
         let size = bounds.min.abs().max(bounds.max.abs()).max_element();
-        RayTree { surfaces, frame, forks, flats, facets, twins, sizes, areas, size }
+        RayTree { surfaces, frame, forks, flats, depth, facets, twins, sizes, areas, size }
     }
 
     /// The first surface that the ray meets within its range.
@@ -232,19 +239,26 @@ impl<'a> Search<'a> {
         !self.is_blocked && self.best.is_none()
     }
 
-    /// Visits what the ray may meet, near boxes first.
+    /// Visits what the ray may meet, with a stack that is no longer than the tree is deep.
     fn walk(&mut self) {
+        match self.tree.depth <= SHALLOW {
+            true => self.walk_with(&mut [0; most_waiting(SHALLOW)]),
+            false => self.walk_with(&mut [0; most_waiting(DEEPEST)]),
+        }
+    }
+
+    /// Visits what the ray may meet, near boxes first; others wait on the stack.
+    fn walk_with(&mut self, stack: &mut [Entry]) {
         let tree = self.tree;
         let Some(ray) = tree.frame.ray(&self.ray) else { return };
         let mut end = ray.end(self.ray.range[1]);
-        let mut stack = [0; STACK];
         let mut depth = 0;
         let mut next = (!tree.forks.is_empty()).then(|| at_start(0));
         while let Some(entry) = next {
             next = None;
             if place(entry) <= end {
                 match Content::of(child(entry)) {
-                    Content::Fork(fork) => next = tree.forks[fork].entered(&ray, end, &mut stack, &mut depth),
+                    Content::Fork(fork) => next = tree.forks[fork].entered(&ray, end, stack, &mut depth),
                     leaf => {
                         self.visit_leaf(leaf, &ray, end);
                         if self.goal == Goal::Any && (self.is_blocked || self.best.is_some()) {

@@ -69,6 +69,8 @@ pub(super) struct Item {
 pub(super) struct Layout {
     pub(super) forks: Vec<Fork>,
     pub(super) flats: Vec<Vec<u32>>,
+    /// Forks from the root to any leaf, at most.
+    pub(super) depth: usize,
 }
 
 impl Layout {
@@ -84,6 +86,7 @@ impl Layout {
     /// Adds a fork over `items`.
     fn fork(&mut self, items: &mut [Item], depth: usize) -> Content {
         let place = self.forks.len();
+        self.depth = self.depth.max(depth + 1);
         self.forks.push(Fork::new(&[], &[]));
         let (mut boxes, mut children) = (Vec::with_capacity(WIDTH), Vec::with_capacity(WIDTH));
         for part in parts(items, depth) {
@@ -286,10 +289,13 @@ mod tests {
                 Item { bounds, surface: k as u32, is_flat: k % every == 0 }
             }).collect();
             let mut found = Vec::new();
-            gather(&Layout::new(items), Content::Fork(0), 0, &mut found);
+            let layout = Layout::new(items);
+            gather(&layout, Content::Fork(0), 0, &mut found);
             found.sort_unstable();
             prop_assert!(found.iter().map(|(surface, _)| *surface as usize).eq(0..count));
-            prop_assert!(found.iter().all(|(_, depth)| *depth <= DEEPEST));
+            let deepest = found.iter().map(|(_, depth)| *depth).max();
+            prop_assert_eq!(deepest, Some(layout.depth));
+            prop_assert!(layout.depth <= DEEPEST);
         }
     }
 }

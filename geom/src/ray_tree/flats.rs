@@ -87,12 +87,12 @@ impl Flats {
     /// Which of the four the ray may hit before `end`, as bits.
     #[inline]
     pub(super) fn may_be_hit(&self, ray: &Ray32, end: f32) -> u32 {
-        let [origin, direction] = [ray.origin, ray.direction].map(|x| x.map(Vec4::splat));
+        let Ray32 { origin, direction, .. } = ray;
         let dot = |a: &[Vec4; 3], x: &[Vec4; 3]| a[0] * x[0] + a[1] * x[1] + a[2] * x[2];
-        let closing = dot(&self.normal, &direction);
-        let gap = self.height - dot(&self.normal, &origin);
+        let closing = dot(&self.normal, direction);
+        let gap = self.height - dot(&self.normal, origin);
         let across = |slope: &[Vec4; 3], shift: Vec4| {
-            (dot(slope, &origin) + shift) * closing + gap * dot(slope, &direction)
+            (dot(slope, origin) + shift) * closing + gap * dot(slope, direction)
         };
         let (u, v) = (across(&self.slope_u, self.shift_u), across(&self.slope_v, self.shift_v));
         let speed = closing.abs();

@@ -73,7 +73,7 @@ impl Fork {
         for axis in 0..3 {
             let (near, far) =
                 (&self.faces[2 * axis + ray.signs[axis]], &self.faces[2 * axis + 1 - ray.signs[axis]]);
-            let (origin, inverse) = (Vec4::splat(ray.origin[axis]), Vec4::splat(ray.inverse[axis]));
+            let (origin, inverse) = (ray.origin[axis], ray.inverse[axis]);
             for v in 0..VECTORS {
                 // Of two of which the first is no number, the second is taken.
                 entry[v] = ((near[v] - origin) * inverse).max(entry[v]);

@@ -3,13 +3,13 @@
 //! The scene is moved and scaled into [−1, 1]³ before it is rounded, so that every coordinate is off by at
 //! most 2⁻²⁵ and one margin serves all boxes: [`MARGIN`] is four times the roundings of a box and of an
 //! origin. A ray's direction is scaled to a largest coordinate of 1: its parameter then is a length of the
-//! same order as the scene. The roundings of a slab test, of one over a coordinate (2⁻²⁴), a difference
+//! same order as the scene. The roundings of a slab test, of a coordinate (2⁻²⁴), one over it (2⁻²⁴), a difference
 //! (2⁻²⁴) and a product (2⁻²⁴), are relative to its result and less than [`ROOM`] (Ize, *Robust BVH ray
 //! traversal*, JCGT 2(2), 2013).
 
 use crate::slabs::Slabs;
 use crate::{Aabb, Ray};
-use glam::DVec3;
+use glam::{DVec3, Vec3, Vec4};
 
 /// Distance by which boxes grow on every side, in units of half the scene.
 const MARGIN: f64 = 1.0 / (1u32 << 22) as f64;
@@ -19,7 +19,7 @@ pub(super) const ROOM: f32 = 1.0 + 1e-6;
 
 /// One over a coordinate of a direction is no larger than this: 0 · ∞ must not arise, nor a number that is
 /// not finite.
-const STEEPEST: f64 = 1e18;
+const STEEPEST: f32 = 1e18;
 
 /// The map x ↦ (x − center) / half of a scene into [−1, 1]³.
 #[derive(Clone, Copy, Debug)]
@@ -36,13 +36,13 @@ pub(super) struct Box32 {
     pub(super) max: [f32; 3],
 }
 
-/// A ray in the frame.
+/// A ray in the frame, each coordinate in all lanes.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Ray32 {
-    pub(super) origin: [f32; 3],
-    pub(super) direction: [f32; 3],
+    pub(super) origin: [Vec4; 3],
+    pub(super) direction: [Vec4; 3],
     /// One over the direction.
-    pub(super) inverse: [f32; 3],
+    pub(super) inverse: [Vec4; 3],
     /// 1 where the direction is negative.
     pub(super) signs: [usize; 3],
     /// Where t = 0 of this ray is on that in space, and how much faster it runs.
@@ -80,18 +80,20 @@ impl Frame {
             false => Slabs::new(ray).entry(&self.bounds, start, end)?,
         };
         let steepest = ray.direction.abs().max_element();
-        let direction = ray.direction / steepest;
-        let inverse = ray.direction.map(|x| (steepest / x).abs().min(STEEPEST).copysign(x));
-        let single = |x: DVec3| x.to_array().map(|x| x as f32);
+        let direction = (ray.direction / steepest).as_vec3();
         Some(Ray32 {
-            origin: single(self.place(ray.at(start))),
-            direction: single(direction),
-            inverse: single(inverse),
+            origin: lanes(self.place(ray.at(start)).as_vec3()),
+            direction: lanes(direction),
+            inverse: lanes(direction).map(|x| x.recip().abs().min(Vec4::splat(STEEPEST)).copysign(x)),
             signs: direction.to_array().map(|x| usize::from(x.is_sign_negative())),
             start,
             speed: self.scale * steepest,
         })
     }
+}
+
+fn lanes(x: Vec3) -> [Vec4; 3] {
+    x.to_array().map(Vec4::splat)
 }
 
 impl Ray32 {

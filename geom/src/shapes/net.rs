@@ -16,6 +16,7 @@ pub(super) struct Sample<T> {
 }
 
 /// The tensor-product cubic with coefficients `net[i][j]`, i along s.
+#[inline]
 pub(super) fn sample<T: Coefficient>(net: &[[T; 4]; 4], s: f64, t: f64) -> Sample<T> {
     let (ws, wt) = (weights(s), weights(t));
     let (mut values, mut slopes) = ([net[0][0]; 4], [net[0][0]; 4]);

@@ -110,17 +110,17 @@ impl<T: Control> Tiles<T> {
 
     /// Whether a ray meets the patch.
     pub(super) fn any(&self, ray: &Ray) -> bool {
-        self.any_in(Place::WHOLE, ray, across(ray))
+        self.any_in(Place::WHOLE, ray)
     }
 
     /// The nearest hit.
     pub(super) fn nearest(&self, ray: &Ray) -> Option<Hit> {
         let mut best = None;
-        self.nearest_in(Place::WHOLE, ray, across(ray), &mut best);
+        self.nearest_in(Place::WHOLE, ray, &mut best);
         best
     }
 
-    fn any_in(&self, place: Place, ray: &Ray, across: [DVec3; 2]) -> bool {
+    fn any_in(&self, place: Place, ray: &Ray) -> bool {
         let tile = &self.tiles[place.tile];
         let local = tile.around.seen(ray);
         match tile.around.passage(&local, ray.range) {
@@ -134,11 +134,11 @@ impl<T: Control> Tiles<T> {
             (Meeting::Doubtful, Content::Quarters(boxes, first)) => {
                 let entered = boxes.entered(&local, ray.range).into_iter();
                 let mut quarters = place.quarters(*first).into_iter().zip(entered);
-                quarters.any(|(quarter, is_entered)| is_entered && self.any_in(quarter, ray, across))
+                quarters.any(|(quarter, is_entered)| is_entered && self.any_in(quarter, ray))
             }
             (Meeting::Doubtful, Content::Net(net)) => {
                 let mut found = false;
-                place.hits(net, ray, across, |_| {
+                place.hits(net, ray, |_| {
                     found = true;
                     true
                 });
@@ -147,7 +147,7 @@ impl<T: Control> Tiles<T> {
         }
     }
 
-    fn nearest_in(&self, place: Place, ray: &Ray, across: [DVec3; 2], best: &mut Option<Hit>) {
+    fn nearest_in(&self, place: Place, ray: &Ray, best: &mut Option<Hit>) {
         let tile = &self.tiles[place.tile];
         let local = tile.around.seen(ray);
         let range = best.map_or(*ray, |hit| ray.until(hit.t)).range;
@@ -164,9 +164,9 @@ impl<T: Control> Tiles<T> {
                 let entered = boxes.entered(&local, range).into_iter();
                 let quarters = place.quarters(*first).into_iter().zip(entered);
                 let entered = quarters.filter(|(_, is_entered)| *is_entered);
-                entered.for_each(|(quarter, _)| self.nearest_in(quarter, ray, across, best));
+                entered.for_each(|(quarter, _)| self.nearest_in(quarter, ray, best));
             }
-            (Meeting::Doubtful, Content::Net(net)) => place.hits(net, ray, across, |hit| {
+            (Meeting::Doubtful, Content::Net(net)) => place.hits(net, ray, |hit| {
                 take(hit);
                 false
             }),
@@ -218,13 +218,8 @@ impl Place {
     }
 
     /// Visits the hits with a tile that has the control net `net`, until `visit` returns true.
-    fn hits<T: Control>(
-        self,
-        net: &[[T; 4]; 4],
-        ray: &Ray,
-        across: [DVec3; 2],
-        mut visit: impl FnMut(Hit) -> bool,
-    ) {
+    fn hits<T: Control>(self, net: &[[T; 4]; 4], ray: &Ray, mut visit: impl FnMut(Hit) -> bool) {
+        let across = across(ray);
         let mut seen = [[DVec2::ZERO; 4]; 4];
         for (seen, x) in seen.as_flattened_mut().iter_mut().zip(net.as_flattened()) {
             *seen = x.seen(ray.origin, across);
@@ -254,7 +249,7 @@ mod tests {
         while let Some(place) = open.pop() {
             match &tiles.tiles[place.tile].content {
                 Content::Quarters(_, first) => open.extend(place.quarters(*first)),
-                Content::Net(net) => place.hits(net, ray, across(ray), |hit| {
+                Content::Net(net) => place.hits(net, ray, |hit| {
                     best = Hit::nearer(best, hit);
                     false
                 }),
