@@ -101,6 +101,14 @@ def run_mitsuba(args):
         row(args, "Mitsuba 3", f"{samples} paths", statistics.median(seconds), statistics.fmean(squares) ** 0.5)
 
 
+def exitance_of(picture):
+    """Exitance (row, column, band) of a picture of three bands, or of one, which stands for three."""
+    bitmap = mi.Bitmap(str(picture))
+    names = [channel.name for channel in bitmap.struct_()]
+    bands = [name for name in "RGB" if name in names] or [name for name in names if name != "A"] * 3
+    return numpy.array(bitmap, float)[:, :, [names.index(name) for name in bands]]
+
+
 def run_radiosity(args):
     """Error and time of `render` for each choice of options."""
     for setting in args.settings:
@@ -113,7 +121,7 @@ def run_radiosity(args):
                 start = time.perf_counter()
                 subprocess.run(command, check=True)
                 seconds.append(time.perf_counter() - start)
-            found = numpy.array(mi.Bitmap(str(picture)).convert(mi.Bitmap.PixelFormat.RGB, mi.Struct.Type.Float64))
+            found = exitance_of(picture)
         row(args, args.name, setting or "default", statistics.median(seconds), error(found, args.truth))
 
 
