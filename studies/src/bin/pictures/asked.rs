@@ -5,8 +5,11 @@ use std::str::FromStr;
 
 use radiosity::request::view::ViewRequest;
 
+/// Seconds that pixels, and joints, are judged for unless asked for. Chosen: three minutes a scene.
+const LONGEST: f64 = 60.0;
+
 /// Pictures that are asked for.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug)]
 pub(crate) struct Asked {
     /// A scene, built in or a file; None for some that are built in.
     pub(crate) scene: Option<String>,
@@ -15,14 +18,15 @@ pub(crate) struct Asked {
     pub(crate) sizes: Vec<[u32; 2]>,
     /// Frames of a film; None for a picture.
     pub(crate) frames: Option<usize>,
-    /// Whether costs alone are told.
-    pub(crate) costs: bool,
+    /// Seconds of the processor that pixels, and joints, are judged for; 0 for costs alone.
+    pub(crate) judge: f64,
 }
 
 impl Asked {
     /// What was typed.
     pub(crate) fn typed() -> Result<Self, Box<dyn Error>> {
-        let mut asked = Self::default();
+        let view = ViewRequest::default();
+        let mut asked = Self { scene: None, view, sizes: Vec::new(), frames: None, judge: LONGEST };
         let mut words = std::env::args().skip(1);
         while let Some(word) = words.next() {
             let mut next = || words.next().ok_or_else(|| format!("{word}: a value is missing"));
@@ -33,7 +37,7 @@ impl Asked {
                 "--fov" => asked.view.fov = Some(parsed(&next()?)?),
                 "--size" => asked.sizes = next()?.split(',').map(size).collect::<Result<_, _>>()?,
                 "--frames" => asked.frames = Some(parsed(&next()?)?),
-                "--costs" => asked.costs = true,
+                "--judge" => asked.judge = parsed(&next()?)?,
                 _ if word.starts_with('-') => return Err(format!("'{word}' is unknown").into()),
                 _ => asked.scene = Some(word),
             }
@@ -48,6 +52,7 @@ fn parsed<T: FromStr<Err: ToString>>(text: &str) -> Result<T, String> {
 
 /// Two numbers with an x between.
 fn size(text: &str) -> Result<[u32; 2], String> {
-    let (width, height) = text.split_once('x').ok_or_else(|| format!("'{text}' is no size, such as 640x480"))?;
+    let (width, height) =
+        text.split_once('x').ok_or_else(|| format!("'{text}' is no size, such as 640x480"))?;
     Ok([parsed(width)?, parsed(height)?])
 }

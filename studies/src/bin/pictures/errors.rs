@@ -18,8 +18,6 @@ const RUN: usize = 16;
 const RUNS: usize = 50;
 /// Accuracy of light computed anew.
 const EPS: f64 = 1e-3;
-/// Seconds of processor time after which no further pixels, or joints, are judged.
-const LONGEST: f64 = 60.0;
 
 /// Errors of the pixels that were judged.
 pub(crate) struct Judged {
@@ -85,13 +83,14 @@ impl<'a> Errors<'a> {
         Some(self.picture[pixel] - self.exact(self.seen[pixel].as_ref()?))
     }
 
-    /// Errors of pixels all over the picture, in an order that is even wherever it ends.
-    pub(crate) fn judged(&self) -> Judged {
+    /// Errors of pixels all over the picture, in an order that is even wherever it ends: after so many seconds of the
+    /// processor.
+    pub(crate) fn judged(&self, longest: f64) -> Judged {
         let start = ProcessTime::now();
         let step = coprime(self.seen.len());
         let pixels = (0..self.seen.len().min(PIXELS)).map(|index| index * step % self.seen.len());
         let (mut count, mut squares, mut all, mut largest) = (0u32, 0.0, 0.0, 0.0f64);
-        for pixel in pixels.take_while(|_| start.elapsed().as_secs_f64() < LONGEST) {
+        for pixel in pixels.take_while(|_| start.elapsed().as_secs_f64() < longest) {
             let Some(error) = self.error(pixel) else { continue };
             count += 1;
             squares += error * error;
@@ -106,14 +105,14 @@ impl<'a> Errors<'a> {
         }
     }
 
-    /// The largest steps across joints, of runs all over the picture.
-    pub(crate) fn joints(&self) -> Joints {
+    /// The largest steps across joints, of runs all over the picture, as many as so many seconds take.
+    pub(crate) fn joints(&self, longest: f64) -> Joints {
         let start = ProcessTime::now();
         let runs: Vec<Vec<Pair>> = self.runs();
         let step = coprime(runs.len());
         let chosen = (0..runs.len().min(RUNS)).map(|index| &runs[index * step % runs.len()]);
         let mut largest = Joints { runs: 0, joint: 0.0, step: 0.0 };
-        for run in chosen.take_while(|_| start.elapsed().as_secs_f64() < LONGEST) {
+        for run in chosen.take_while(|_| start.elapsed().as_secs_f64() < longest) {
             let jumps =
                 run.iter().filter_map(|pair| Some(self.error(pair.pixels[1])? - self.error(pair.pixels[0])?));
             let jumps: Vec<f64> = jumps.collect();

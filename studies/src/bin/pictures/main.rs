@@ -2,18 +2,18 @@
 //! largest joint between elements.
 //!
 //! `cargo run --release -p radiosity-studies --bin pictures -- [SCENE [--eye X,Y,Z] [--target X,Y,Z]
-//! [--view-up X,Y,Z] [--fov DEGREES]] [--size WxH[,WxH...]] [--frames N] [--costs]`
+//! [--view-up X,Y,Z] [--fov DEGREES]] [--size WxH[,WxH...]] [--frames N] [--judge SECONDS]`
 //!
 //! A scene, built in or a file, is solved and taken as `radiosity render SCENE` does, on one thread, in each of the
 //! sizes; without one those that are built in. `s` are seconds of the processor; `forecast` is what is told before
 //! the picture, `gathers` the places at which reflected light is gathered, and `exponent` p of seconds ~ pixelsᵖ since
 //! the size before. The error is that of the radiosity at 1000 pixels, evenly chosen, fewer where these take more than
-//! a minute, lamps left out, over the root mean square of the radiosity: against light gathered to 1e-3 or less. A
+//! a minute or `--judge`, lamps left out, over the root mean square of the radiosity: against light gathered to 1e-3 or less. A
 //! joint is what the error changes by, over the mean radiosity, from pixels to the next where these see different
 //! elements of one surface: the mean over sixteen pixels along a joint, since a step shows where it runs on; the
 //! largest of fifty such runs, evenly chosen, or of as many as a minute takes. The largest step between two single
 //! pixels stands beside it: it has the noise of both pixels and of the light that they are compared with. With
-//! `--costs` no errors are judged; with `--frames` the first frames of a scene that moves are one film.
+//! `--judge 0` no errors are judged; with `--frames` the first frames of a scene that moves are one film.
 
 #![expect(clippy::print_stdout, reason = "a table for people")]
 
@@ -75,7 +75,8 @@ fn rows(name: &str, asked: &Asked) -> Result<(), Box<dyn Error>> {
             Some(frames) => Cost::of_film(&scene, &camera, frames)?,
             None => Cost::of_picture(&scene, &camera)?,
         };
-        let errors = if asked.costs { " | | | | |".to_owned() } else { judged(&scene, &camera)? };
+        let judges = asked.judge > 0.0 && asked.frames.is_none();
+        let errors = if judges { judged(&scene, &camera, asked.judge)? } else { " | | | | | |".to_owned() };
         let exponent = before.map_or_else(String::new, |before| format!("{:.2}", cost.exponent(&before)));
         let Cost { solve, picture, forecast, gathers, .. } = cost;
         println!(
@@ -88,10 +89,10 @@ fn rows(name: &str, asked: &Asked) -> Result<(), Box<dyn Error>> {
 }
 
 /// The cells of the errors of a picture.
-fn judged(scene: &Scene, camera: &Camera) -> Result<String, Box<dyn Error>> {
+fn judged(scene: &Scene, camera: &Camera, longest: f64) -> Result<String, Box<dyn Error>> {
     let solved = Solved::new(scene.clone(), Options::default(), &Work::alone())?;
     let errors = Errors::of(&solved.outcome.solution, solved.visibility(), camera);
-    let (pixels, Joints { runs, joint, step }) = (errors.judged(), errors.joints());
+    let (pixels, Joints { runs, joint, step }) = (errors.judged(longest), errors.joints(longest));
     let [rms, largest, joint, step] = [pixels.rms, pixels.largest, joint, step].map(|part| 100.0 * part);
     Ok(format!(" {} | {rms:.2} | {largest:.1} | {runs} | {joint:.2} | {step:.2} |", pixels.pixels))
 }
