@@ -59,19 +59,24 @@ class Picture:
 
 
 def measure_truth(args):
-    """The truth of a picture, its standard errors and the pixels that count."""
+    """The truth of a picture, its standard errors and the pixels that count: written after each launch, and gone on with."""
     picture = Picture(args)
-    counts = picture.shows_reflected_light()
-    launches = max(2, args.samples // LAUNCH)
-    sums = squares = 0.0
-    for seed in range(launches):
-        own = picture.exitance(LAUNCH, 1000 + seed)
-        sums, squares = sums + own, squares + own * own
-    mean = sums / launches
-    noise = numpy.sqrt(numpy.maximum(squares / launches - mean**2, 0) / (launches - 1))
-    numpy.savez(args.output, mean=mean, noise=noise, counts=counts)
-    whole = numpy.sqrt((noise[counts] ** 2).sum() / (mean[counts] ** 2).sum())
-    print(f"L2 noise {100 * whole:.3f} %, {100 * counts.mean():.1f} % of the pixels count", file=sys.stderr)
+    path = pathlib.Path(args.output)
+    if path.exists():
+        done = numpy.load(path)
+        counts, launches, sums, squares = (done[key] for key in ("counts", "launches", "sums", "squares"))
+    else:
+        counts, launches, sums, squares = picture.shows_reflected_light(), 0, 0.0, 0.0
+    for launch in range(int(launches), max(2, args.samples // LAUNCH)):
+        own = picture.exitance(LAUNCH, 1000 + launch)
+        sums, squares, launches = sums + own, squares + own * own, launch + 1
+        mean = sums / launches
+        # Of one launch nothing is known.
+        noise = numpy.sqrt(numpy.maximum(squares / launches - mean**2, 0) / (launches - 1 or numpy.nan))
+        numpy.savez(path, mean=mean, noise=noise, counts=counts, launches=launches, sums=sums, squares=squares)
+        whole = numpy.sqrt((noise[counts] ** 2).sum() / (mean[counts] ** 2).sum())
+        print(f"{launches * LAUNCH} paths a pixel: L2 noise {100 * whole:.3f} %, {100 * counts.mean():.1f} % of the "
+              "pixels count", file=sys.stderr)
 
 
 def error(found, path):
@@ -96,6 +101,14 @@ def run_mitsuba(args):
         row(args, "Mitsuba 3", f"{samples} paths", statistics.median(seconds), statistics.fmean(squares) ** 0.5)
 
 
+def exitance_of(picture):
+    """Exitance (row, column, band) of a picture of three bands, or of one, which stands for three."""
+    bitmap = mi.Bitmap(str(picture))
+    names = [channel.name for channel in bitmap.struct_()]
+    bands = [name for name in "RGB" if name in names] or [name for name in names if name != "A"] * 3
+    return numpy.array(bitmap, float)[:, :, [names.index(name) for name in bands]]
+
+
 def run_radiosity(args):
     """Error and time of `render` for each choice of options."""
     for setting in args.settings:
@@ -108,7 +121,7 @@ def run_radiosity(args):
                 start = time.perf_counter()
                 subprocess.run(command, check=True)
                 seconds.append(time.perf_counter() - start)
-            found = numpy.array(mi.Bitmap(str(picture)).convert(mi.Bitmap.PixelFormat.RGB, mi.Struct.Type.Float64))
+            found = exitance_of(picture)
         row(args, args.name, setting or "default", statistics.median(seconds), error(found, args.truth))
 
 
@@ -125,7 +138,7 @@ def arguments():
         own.add_argument("-o", "--output", required=True)
         return own
 
-    own = part("truth", measure_truth, "writes the picture by very many paths")
+    own = part("truth", measure_truth, "writes the picture by very many paths, or goes on with one")
     own.add_argument("--samples", type=int, default=2**14)
     own = part("mitsuba", run_mitsuba, "adds rows of Mitsuba to a table")
     own.add_argument("--truth", required=True)

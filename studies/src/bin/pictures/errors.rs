@@ -1,70 +1,32 @@
-//! Cost and error of pictures: seconds, error against light computed anew, and the largest joint between
-//! elements.
-//!
-//! `cargo run --release -p radiosity-studies --bin pictures [-- SCENE...]`
-//!
-//! Each scene is solved and taken as `radiosity render SCENE` does, in its own size, the temple in a smaller
-//! one, in which it is gathered too. The error is that of the radiosity at 1000 pixels, evenly chosen, lamps
-//! left out, over the root mean square of the radiosity: against light gathered to 1e-4 by cells in flat
-//! scenes, to 1e-3 by rays at the teapot, to 3e-3 in the temple. A joint is what the error changes by, over
-//! the mean radiosity, from pixels to the next where these see different elements of one surface: the mean
-//! over sixteen pixels along a joint, since a step shows where it runs on; the largest of fifty such runs,
-//! evenly chosen. The largest step between two single pixels stands beside it: it has the noise of both
-//! pixels and of the light that they are compared with.
+//! Errors of pictures, beside light computed anew at their pixels.
 
-#![expect(clippy::print_stdout, reason = "a table for people")]
-
-use std::time::Instant;
+use cpu_time::ProcessTime;
 
 use radiosity::Work;
 use radiosity::geom::{DVec3, Encounter};
 use radiosity::reading::pictures::pinhole::Pinhole;
-use radiosity::reading::pictures::render::{render, usual_read};
+use radiosity::reading::pictures::render::render;
 use radiosity::reading::quantity::Quantity;
 use radiosity::reading::reader::{ReadMode, Reader};
 use radiosity::scene::Camera;
 use radiosity::solve::gather::gather_method::GatherMethod;
 use radiosity::solve::solution::{Solution, SurfacePlace};
-use radiosity::solve::{Options, solve};
 use radiosity::visibility::Visibility;
 
-const SCENES: [&str; 6] = ["cornell-box", "two-boxes", "occluder-box", "empty-box", "teapot", "temple"];
 const PIXELS: usize = 1000;
 const RUN: usize = 16;
 const RUNS: usize = 50;
+/// Accuracy of light computed anew.
+const EPS: f64 = 1e-3;
 
-fn main() {
-    let asked: Vec<String> = std::env::args().skip(1).collect();
-    println!(
-        "| scene | pixels | read | solve s | picture s | rms error % | largest joint % | largest step % |"
-    );
-    println!("| --- | --- | --- | --- | --- | --- | --- | --- |");
-    for name in SCENES.iter().filter(|name| asked.is_empty() || asked.iter().any(|other| other == **name)) {
-        println!("{}", row(name));
-    }
-}
-
-fn row(name: &str) -> String {
-    let scene = radiosity::builtin(name).expect("built in");
-    let camera = scene.camera.clone().expect("it has one");
-    let camera = if name == "temple" { Camera { width: 240, height: 192, ..camera } } else { camera };
-    let options = Options::default();
-    let start = Instant::now();
-    let solution = solve(&scene, &options, &Work::alone()).expect("it is solved").solution;
-    let solved = start.elapsed().as_secs_f64();
-    let visibility = options.visibility(&scene);
-    let pixels = u64::from(camera.width) * u64::from(camera.height);
-    let read = usual_read(&solution, &visibility, pixels, None);
-    let start = Instant::now();
-    let _ = render(&solution, &visibility, &camera, 3, read, Quantity::Radiosity, &Work::alone());
-    let taken = start.elapsed().as_secs_f64();
-    let errors = Errors::of(name, &solution, &visibility, &camera, read);
-    let [width, height] = [camera.width, camera.height];
-    let Joints { joint, step } = errors.joints();
-    let [rms, joint, step] = [errors.rms(), joint, step].map(|part| 100.0 * part);
-    format!(
-        "| {name} | {width} × {height} | {read:?} | {solved:.2} | {taken:.2} | {rms:.2} | {joint:.2} | {step:.2} |"
-    )
+/// Errors of the pixels that were judged.
+pub(crate) struct Judged {
+    /// Number of them.
+    pub(crate) pixels: usize,
+    /// Root mean square over that of the radiosity.
+    pub(crate) rms: f64,
+    /// The largest over the root mean square of the radiosity.
+    pub(crate) largest: f64,
 }
 
 /// The place that the middle of a pixel sees.
@@ -76,7 +38,7 @@ struct Seen {
 }
 
 /// The pixels of a picture beside light computed anew.
-struct Errors<'a> {
+pub(crate) struct Errors<'a> {
     solution: &'a Solution,
     reader: Reader<'a>,
     width: usize,
@@ -86,15 +48,10 @@ struct Errors<'a> {
 }
 
 impl<'a> Errors<'a> {
-    fn of(
-        name: &str,
-        solution: &'a Solution,
-        visibility: &'a Visibility,
-        camera: &Camera,
-        read: ReadMode,
-    ) -> Self {
-        let raster = render(solution, visibility, camera, 1, read, Quantity::Radiosity, &Work::alone());
-        let reader = |by: GatherMethod, eps: f64| Reader::by(by, solution, visibility, ReadMode::Gather, eps);
+    /// Takes the picture of one sample a pixel.
+    pub(crate) fn of(solution: &'a Solution, visibility: &'a Visibility, camera: &Camera) -> Self {
+        let gather = ReadMode::Gather;
+        let raster = render(solution, visibility, camera, 1, gather, Quantity::Radiosity, &Work::alone());
         let view = Pinhole::new(camera);
         let width = camera.width as usize;
         let look = |pixel: usize| {
@@ -108,11 +65,7 @@ impl<'a> Errors<'a> {
         };
         Self {
             solution,
-            reader: match name {
-                "teapot" => reader(GatherMethod::Rays, 1e-3),
-                "temple" => reader(GatherMethod::Rays, 3e-3),
-                _ => reader(GatherMethod::Cells, 1e-4),
-            },
+            reader: Reader::by(GatherMethod::Auto, solution, visibility, gather, EPS),
             width,
             seen: (0..width * camera.height as usize).map(look).collect(),
             picture: raster.pixels().map(|bands| bands.iter().sum()).collect(),
@@ -130,33 +83,48 @@ impl<'a> Errors<'a> {
         Some(self.picture[pixel] - self.exact(self.seen[pixel].as_ref()?))
     }
 
-    fn rms(&self) -> f64 {
-        let step = (self.seen.len() / PIXELS) | 1;
-        let pixels = (0..self.seen.len()).step_by(step);
-        let (mut squares, mut all) = (0.0, 0.0);
-        for (pixel, error) in pixels.filter_map(|pixel| Some((pixel, self.error(pixel)?))) {
+    /// Errors of pixels all over the picture, in an order that is even wherever it ends: after so many seconds of the
+    /// processor.
+    pub(crate) fn judged(&self, longest: f64) -> Judged {
+        let start = ProcessTime::now();
+        let step = coprime(self.seen.len());
+        let pixels = (0..self.seen.len().min(PIXELS)).map(|index| index * step % self.seen.len());
+        let (mut count, mut squares, mut all, mut largest) = (0u32, 0.0, 0.0, 0.0f64);
+        for pixel in pixels.take_while(|_| start.elapsed().as_secs_f64() < longest) {
+            let Some(error) = self.error(pixel) else { continue };
+            count += 1;
             squares += error * error;
+            largest = largest.max(error.abs());
             all += self.picture[pixel].powi(2);
         }
-        f64::sqrt(squares / all)
+        let size = f64::sqrt(all / f64::from(count));
+        Judged {
+            pixels: count as usize,
+            rms: f64::sqrt(squares / f64::from(count)) / size,
+            largest: largest / size,
+        }
     }
 
-    fn joints(&self) -> Joints {
+    /// The largest steps across joints, of runs all over the picture, as many as so many seconds take.
+    pub(crate) fn joints(&self, longest: f64) -> Joints {
+        let start = ProcessTime::now();
         let runs: Vec<Vec<Pair>> = self.runs();
-        let step = runs.len() / RUNS + 1;
-        let mut largest = Joints { joint: 0.0, step: 0.0 };
-        for run in runs.iter().step_by(step) {
+        let step = coprime(runs.len());
+        let chosen = (0..runs.len().min(RUNS)).map(|index| &runs[index * step % runs.len()]);
+        let mut largest = Joints { runs: 0, joint: 0.0, step: 0.0 };
+        for run in chosen.take_while(|_| start.elapsed().as_secs_f64() < longest) {
             let jumps =
                 run.iter().filter_map(|pair| Some(self.error(pair.pixels[1])? - self.error(pair.pixels[0])?));
             let jumps: Vec<f64> = jumps.collect();
-            let mean = jumps.iter().sum::<f64>() / jumps.len() as f64;
+            let mean = jumps.iter().sum::<f64>() / jumps.len().max(1) as f64;
+            largest.runs += 1;
             largest.joint = largest.joint.max(mean.abs());
             largest.step = jumps.iter().fold(largest.step, |step, jump| step.max(jump.abs()));
         }
         let lit = (0..self.seen.len()).filter(|pixel| self.seen[*pixel].is_some());
         let lit: Vec<f64> = lit.map(|pixel| self.picture[pixel]).collect();
         let mean = lit.iter().sum::<f64>() / lit.len() as f64;
-        Joints { joint: largest.joint / mean, step: largest.step / mean }
+        Joints { joint: largest.joint / mean, step: largest.step / mean, ..largest }
     }
 
     /// Pairs of pixels across the joints, those along one joint together.
@@ -193,9 +161,24 @@ struct Pair {
 }
 
 /// Largest steps of the error, over the mean radiosity.
-struct Joints {
+pub(crate) struct Joints {
+    /// Runs that were judged.
+    pub(crate) runs: usize,
     /// Mean of those along a part of a joint.
-    joint: f64,
+    pub(crate) joint: f64,
     /// Between two pixels.
-    step: f64,
+    pub(crate) step: f64,
+}
+
+/// A step about the golden part of a count that has no divisor in common with it: its multiples are even.
+fn coprime(count: usize) -> usize {
+    let is_coprime = |step: &usize| {
+        let (mut a, mut b) = (*step, count);
+        while b > 0 {
+            (a, b) = (b, a % b);
+        }
+        a == 1
+    };
+    let golden = (0.618 * count as f64) as usize;
+    (golden.max(1)..).find(is_coprime).unwrap_or(1)
 }
