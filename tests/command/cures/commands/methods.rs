@@ -314,8 +314,8 @@ pub(super) const ROWS: &[Typed] = &[
         told: &["convergence runs every order and chooses none", "help: leave out --accuracy"],
     },
     Typed {
-        bad: "view-factors room.toml --pairs room-left",
-        cured: "view-factors room.toml --pairs room-left,room-top",
+        bad: "view-factors room.toml --pairs room-bottom",
+        cured: "view-factors room.toml --pairs room-bottom,room-top",
         told: &["two names are needed", "help: write the names of two surfaces, as in --pairs floor,ceiling"],
     },
     Typed {
@@ -341,7 +341,7 @@ pub(super) const ROWS: &[Typed] = &[
     },
     Typed {
         bad: "audit warm.toml",
-        cured: "audit warm.toml --of heat --seconds 1",
+        cured: "audit warm.toml --of heat --seconds 0.1",
         told: &["nothing emits light, but temperatures or fluxes are given", "help: add --of heat"],
     },
     Typed {
