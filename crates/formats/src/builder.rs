@@ -54,7 +54,7 @@ impl ModelBuilder {
         Note::add_in(&mut self.model.notes, text, self.file.as_ref(), Some(FilePlace::Line(line)));
     }
 
-    /// What follows stands in this included file, or in the main one.
+    /// Puts what follows into this included file, or into the main one.
     pub(crate) fn stand_in(&mut self, file: Option<&str>) {
         self.file = file.map(Arc::from);
     }

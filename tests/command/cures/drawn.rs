@@ -1,4 +1,4 @@
-//! What the rows of the tables draw: each input runs once, for its own test and for that of all messages.
+//! Outcomes of the rows of the tables: each input runs once, for its own test and for that of all messages.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::process::Output;

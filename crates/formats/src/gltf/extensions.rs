@@ -13,12 +13,12 @@ pub(super) const SPECULAR: &str = "specular reflection is left out";
 /// Note on what lets light through.
 pub(super) const TRANSPARENCY: &str = "transparency is left out";
 
-/// What is lost of an extension.
+/// Loss of an extension.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Loss {
     /// Nothing: it is followed, is told where it stands, or changes no light.
     Nothing,
-    /// What this note says.
+    /// Light of a kind that this note names.
     Told(&'static str),
     /// Nobody knows what.
     Unknown,
@@ -52,7 +52,7 @@ const HARMLESS_FAMILIES: [&str; 4] = ["KHR_materials_", "KHR_texture_", "EXT_tex
 /// Names of extensions that a file may require.
 const HARMLESS: [&str; 2] = ["KHR_lights_punctual", "KHR_mesh_quantization"];
 
-/// What is lost of the extension `name`.
+/// The loss of the extension `name`.
 pub(super) fn loss(name: &str) -> Loss {
     let is_silent = SILENT_FAMILIES.iter().any(|family| name.starts_with(family));
     match KNOWN.iter().find(|(known, _)| *known == name) {

@@ -99,7 +99,7 @@ fn emission(material: &scheme::Material, place: FilePlace, model: &mut Model) ->
     emission
 }
 
-/// What of a material is left out, each kind once.
+/// Losses of a material, each kind once.
 fn losses(material: &scheme::Material) -> BTreeSet<&'static str> {
     let pbr = &material.pbr_metallic_roughness;
     let is_textured = pbr.metallic_roughness_texture.or(material.normal_texture).is_some();

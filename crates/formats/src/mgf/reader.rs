@@ -252,7 +252,7 @@ impl<'a> Reader<'a> {
         Ok(())
     }
 
-    /// What a line states. A fault, which is noted where it is found, ends the reading if a surface has it.
+    /// The value that a line states. A fault, which is noted where it is found, ends the reading if a surface has it.
     fn stated<T>(&mut self, value: Result<T, Refusal>, line: usize) -> Stated<T> {
         if value.as_ref().is_err_and(|fault| fault.file.is_empty()) {
             self.model.note("faulty colours and materials that no surface has are left out", line);
