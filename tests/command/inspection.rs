@@ -309,7 +309,7 @@ fn a_strict_check_fails_where_anything_looks_wrong() {
 /// `check` names all materials that no surface has in one line; nothing else does.
 #[test]
 fn materials_that_no_surface_has_are_named() {
-    let text = "[camera]\neye = [0, 0, 1]\ntarget = [0, 0, 0]\n[materials.used]\nemission = 1\n[materials.spare]\n\
+    let text = "[camera]\neye = [1, 0, 1]\ntarget = [0, 0, 0]\n[materials.used]\nreflectance = 0\nemission = 1\n[materials.spare]\n\
                 reflectance = 0.5\n[materials.back]\nreflectance = 0.5\n[materials.odd]\nreflectance = 0.5\n[[surfaces]]\n\
                 material = \"used\"\nback_material = \"back\"\ntwo_sided = true\n\
                 quad = { vertices = [[0,0,0],[1,0,0],[1,1,0],[0,1,0]] }\n";

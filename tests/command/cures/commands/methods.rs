@@ -301,7 +301,7 @@ pub(super) const ROWS: &[Typed] = &[
     Typed {
         bad: "render room.toml --false-colour --band red -o p.png --size 8x8",
         cured: "render room.toml --false-colour --band grey -o p.png --size 8x8",
-        told: &["red", "help: bands of this scene: grey"],
+        told: &["red", "bands of this scene: grey"],
     },
     Typed {
         bad: "relight room.toml --set a=1 -o r.json",
