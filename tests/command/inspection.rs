@@ -305,3 +305,20 @@ fn a_strict_check_fails_where_anything_looks_wrong() {
     assert_eq!(check("turned.toml", &turned, false), Some(0));
     assert_eq!(check("turned.toml", &turned, true), Some(1));
 }
+
+/// `check` names all materials that no surface has in one line; nothing else does.
+#[test]
+fn materials_that_no_surface_has_are_named() {
+    let text = "[camera]\neye = [1, 0, 1]\ntarget = [0, 0, 0]\n[materials.used]\nreflectance = 0\nemission = 1\n[materials.spare]\n\
+                reflectance = 0.5\n[materials.back]\nreflectance = 0.5\n[materials.odd]\nreflectance = 0.5\n[[surfaces]]\n\
+                material = \"used\"\nback_material = \"back\"\ntwo_sided = true\n\
+                quad = { vertices = [[0,0,0],[1,0,0],[1,1,0],[0,1,0]] }\n";
+    let folder = radiosity_test_support::folders::folder(&[("a.toml", text)]);
+    let [found, _] = crate::program::done(folder.path(), &["check", "a.toml"]);
+    assert_eq!(found.matches("materials that no surface has: odd, spare\n").count(), 1, "{found}");
+    let [found, _] = crate::program::done(folder.path(), &["check", "a.toml", "--format", "json"]);
+    let found: serde_json::Value = serde_json::from_str(&found).expect("JSON");
+    assert_eq!(found["unused_materials"], serde_json::json!(["odd", "spare"]));
+    let [_, told] = crate::program::done(folder.path(), &["solve", "a.toml", "-o", "a.json"]);
+    assert!(!told.contains("spare"), "{told}");
+}

@@ -89,6 +89,9 @@ fn the_command_reads_files_outside_and_says_so() {
         let [found, _] = done(&house.path().join("room"), &["check", scene]);
         let told = format!("read outside the folder of the scene (--inside refuses it): {outside}");
         assert!(found.contains(&told), "{scene}: {found}");
+        let [found, _] = done(&house.path().join("room"), &["check", scene, "--format", "json"]);
+        let found: serde_json::Value = serde_json::from_str(&found).expect("JSON");
+        assert_eq!(found["read_outside"], serde_json::json!([outside]), "{scene}");
     }
 }
 
@@ -139,7 +142,7 @@ fn notes_and_lists_of_names_show_no_word_of_files_outside() {
     let house = house("a.xml", &scene, "../lib/a.xml", part.as_bytes());
     let room = house.path().join("room");
     let [found, _] = done(&room, &["check", "a.xml"]);
-    assert!(found.contains("the attribute … of <shape> is left out") && !found.contains(SECRET), "{found}");
+    assert!(found.contains("the attribute … of … is left out") && !found.contains(SECRET), "{found}");
     let named = format!("[materials.{SECRET}]\nreflectance = 0.5\n");
     let near = SECRET.replace("scenes", "scene");
     for material in [near.as_str(), "far"] {
@@ -157,6 +160,63 @@ fn notes_and_lists_of_names_show_no_word_of_files_outside() {
         ];
         refused(&room, &["check", "a.toml"], &parts);
         assert!(!told(&room, &["check", "a.toml"]).contains(SECRET));
+    }
+}
+
+/// A name with an odd quote in it hides no more and no less.
+#[test]
+fn notes_hide_what_files_say_and_keep_own_words() {
+    let obj = "mtllib ../lib/a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl it's\nf 1 2 3\n";
+    let mtl = format!("newmtl it's\nKd 0.5\nKs 1 1 1\nnewmtl {SECRET}'s\nKd -1\n");
+    let house = house("a.obj", obj, "../lib/a.mtl", mtl.as_bytes());
+    let [found, _] = done(&house.path().join("room"), &["check", "a.obj"]);
+    for own in [
+        "specular reflection is left out",
+        "the material …, which no face has, is left out: one of its colours cannot be followed",
+    ] {
+        assert!(found.contains(own), "{own:?} is missing in\n{found}");
+    }
+    assert!(!found.contains(SECRET), "{found}");
+}
+
+/// Messages list words of the language and names that stand in the folder of a scene, and no others.
+#[test]
+fn lists_hold_what_stands_in_the_folder_alone() {
+    let secret = SECRET.replace('-', "_");
+    let lib = format!(
+        "[variables]\n{secret}_v = 1\n[materials.{secret}_m]\nreflectance = 0.5\nemission = 1\ngroup = \"{secret}_g\"\n\
+         [planes.{secret}_p]\norigin = [0, 0, 1]\nedges = [[1, 0, 0], [0, 1, 0]]\nspacing = 0.5\n\
+         [[surfaces]]\nname = \"{secret}_s\"\nmaterial = \"{secret}_m\"\n\
+         parallelogram = {{ origin = [0, 0, 2], edge1 = [0, 1, 0], edge2 = [1, 0, 0] }}\n"
+    );
+    let own = "[variables]\nheight = 1\n[materials.white]\nreflectance = 0.5\nemission = 1\ngroup = \"sun\"\n\
+               [planes.desk]\norigin = [0, 0, 1]\nedges = [[1, 0, 0], [0, 1, 0]]\nspacing = 0.5\n";
+    let scene = format!("include = \"../lib/a.toml\"\n{own}{FLOOR}name = \"floor\"\n");
+    let wrong = [
+        (
+            scene.replace("material = \"white\"", "material = \"whit\""),
+            &["check", "a.toml"][..],
+            "did you mean \"white\"?",
+        ),
+        (scene.replace("height = 1", "height = \"=sine(1)\""), &["check", "a.toml"], "functions: "),
+        (
+            scene.replace("height = 1", "height = 1\nwidth = \"=heigt\""),
+            &["check", "a.toml"],
+            "did you mean \"height\"?",
+        ),
+        (scene.clone(), &["probe", "a.toml", "--plane", "dask"], "did you mean \"desk\"?"),
+        (scene.clone(), &["solve", "a.toml", "--set", "heigt=1"], "did you mean \"height\"?"),
+        (
+            scene.clone(),
+            &["solve", "a.toml", "--set", "snu=1"],
+            "light groups: sun; others stand in files outside",
+        ),
+        (scene.clone(), &["view-factors", "a.toml", "--pairs", "floor,flor"], "did you mean \"floor\"?"),
+    ];
+    for (scene, args, cure) in wrong {
+        let house = house("a.toml", &scene, "../lib/a.toml", lib.as_bytes());
+        let told = told(&house.path().join("room"), args);
+        assert!(told.contains(cure) && !told.contains(&secret), "{args:?}: {told}");
     }
 }
 

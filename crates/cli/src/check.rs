@@ -8,7 +8,7 @@ use radiosity_geom::DVec3;
 use radiosity_output::table::{Column, Table};
 use radiosity_scene::{
     Animation, Camera, Distribution, Extent, Fitted, Imported, LiesOn, Luminaire, Mover, Scene, SceneSurface,
-    SensorPlane,
+    SensorPlane, Source,
 };
 use radiosity_visibility::footprints::Footprint;
 use radiosity_visibility::inspection::{
@@ -121,6 +121,9 @@ fn lines_on_surfaces(scene: &Scene, inspection: &Inspection) -> Vec<String> {
     }
     lines.push(surface_table(surfaces, &inspection.areas).to_string());
     lines.extend(materials::lines(scene));
+    if !scene.unused_materials.is_empty() {
+        lines.push(format!("materials that no surface has: {}", scene.unused_materials.join(", ")));
+    }
     if !inspection.contacts.is_empty() {
         lines.push(contact_table(scene, &inspection.contacts).to_string());
     }
@@ -344,8 +347,8 @@ fn as_json(scene: &Scene, inspection: &Inspection) -> Value {
         "scene": scene.name, "title": scene.title, "bands": scene.bands, "unit": scene.unit,
         "area": inspection.areas.iter().sum::<f64>(),
         "variables": scene.variables.iter().cloned().collect::<BTreeMap<_, _>>(),
-        "surfaces": surfaces.collect::<Vec<_>>(), "materials": materials::as_json(scene), "contacts": contacts.collect::<Vec<_>>(),
-        "imported": scene.imported(), "fitted": scene.fitted, "middle": scene.middle.to_array(), "covered": footprints.collect::<Vec<_>>(), "closed": shells.collect::<Vec<_>>(), "camera": camera_json(scene),
+        "surfaces": surfaces.collect::<Vec<_>>(), "materials": materials::as_json(scene), "unused_materials": scene.unused_materials, "contacts": contacts.collect::<Vec<_>>(),
+        "imported": scene.imported(), "read_outside": scene.source.as_ref().map(Source::outside), "fitted": scene.fitted, "middle": scene.middle.to_array(), "covered": footprints.collect::<Vec<_>>(), "closed": shells.collect::<Vec<_>>(), "camera": camera_json(scene),
         "luminaires": scene.luminaires.iter().map(|own| luminaire_json(own, scene)).collect::<Vec<_>>(),
         "animation": motion_json(scene, inspection),
         "near_points": inspection.near_points, "planes": scene.planes.iter().map(plane_json).collect::<Vec<_>>(), "warnings": inspection.warnings,

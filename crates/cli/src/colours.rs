@@ -105,13 +105,7 @@ impl ColourArgs {
 
     /// The index of the band, if one was typed.
     pub(crate) fn band(&self, scene: &Scene) -> Result<Option<usize>, CliError> {
-        let find = |name: &String| {
-            scene.bands.iter().position(|band| band == name).ok_or_else(|| {
-                let message = format!("{}: there is no band {name:?}", scene.origin);
-                CliError::refused(message, format!("bands of this scene: {}", scene.bands.join(", ")))
-            })
-        };
-        self.band.as_ref().map(find).transpose()
+        Ok(self.band.as_ref().map(|name| scene.band_named(name)).transpose()?)
     }
 
     /// The colours of values that lie in the range `usual` for the most part.

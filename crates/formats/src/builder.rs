@@ -1,11 +1,14 @@
 //! Building a model: surfaces are named and checked, materials told apart by name and values.
 
 use std::collections::HashMap;
+use std::sync::Arc;
 
 use glam::DVec3;
 use radiosity_fit::outline::WARPED;
 use radiosity_photometry::error::{Refusal, refuse};
 use radiosity_photometry::file_place::FilePlace;
+use radiosity_photometry::note::Note;
+use radiosity_photometry::note_text::NoteText;
 use radiosity_photometry::text::short;
 
 use crate::colour::settle;
@@ -41,12 +44,19 @@ pub(crate) struct ModelBuilder {
     material_names: UniqueNames,
     materials: HashMap<(String, [u64; 6]), usize>,
     vertices: usize,
+    /// The included file that is read; none for the main one.
+    file: Option<Arc<str>>,
 }
 
 impl ModelBuilder {
     /// Notes something in a line; what was noted before is only counted.
-    pub(crate) fn note(&mut self, text: &str, line: usize) {
-        self.model.note(text, Some(FilePlace::Line(line)));
+    pub(crate) fn note(&mut self, text: impl Into<NoteText>, line: usize) {
+        Note::add_in(&mut self.model.notes, text, self.file.as_ref(), Some(FilePlace::Line(line)));
+    }
+
+    /// Puts what follows into this included file, or into the main one.
+    pub(crate) fn stand_in(&mut self, file: Option<&str>) {
+        self.file = file.map(Arc::from);
     }
 
     /// States the unit of exitance.
@@ -79,6 +89,7 @@ impl ModelBuilder {
             material: Some(material),
             shape,
             sides: coat.sides,
+            file: self.file.clone(),
             place: Some(FilePlace::Line(line)),
         });
         Ok(())

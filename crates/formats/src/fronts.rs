@@ -362,6 +362,7 @@ mod tests {
             material: None,
             shape,
             sides: Sides::Front,
+            file: None,
             place: None,
         };
         Model { surfaces: shapes.into_iter().enumerate().map(surface).collect(), ..Model::default() }

@@ -13,6 +13,7 @@
 mod container;
 mod json;
 mod scheme;
+mod extensions;
 mod buffers;
 mod accessor;
 mod material;
@@ -25,35 +26,11 @@ use radiosity_photometry::text::short;
 use crate::mesh::Mesh;
 use crate::model::Model;
 use accessor::Accessors;
+use extensions::Loss;
 use json::Json;
 use nodes::Nodes;
 use radiosity_photometry::files::Files;
 use scheme::Root;
-
-/// Beginnings of the names of extensions that a file may require: what they add is noted or needs no care.
-const HARMLESS: [&str; 6] = [
-    "KHR_materials_",
-    "KHR_texture_",
-    "EXT_texture_",
-    "MSFT_texture_",
-    "KHR_lights_punctual",
-    "KHR_mesh_quantization",
-];
-
-/// Beginnings of the names of extensions that are read, are noted where they stand, or change no light.
-const FOLLOWED: [&str; 11] = [
-    "KHR_materials_emissive_strength",
-    "KHR_materials_transmission",
-    "KHR_materials_pbrSpecularGlossiness",
-    "KHR_lights_punctual",
-    "EXT_mesh_gpu_instancing",
-    "KHR_mesh_quantization",
-    "KHR_texture_",
-    "EXT_texture_",
-    "MSFT_texture_",
-    "KHR_xmp",
-    "KHR_animation_pointer",
-];
 
 /// Reads a glTF or GLB of the name `file` and the buffers that it names.
 ///
@@ -73,17 +50,17 @@ fn mesh(bytes: &[u8], files: &dyn Files) -> Result<Mesh, Refusal> {
     let buffers = buffers::all(&root, &json, parts.binary, files)?;
     let mut mesh = Mesh::default();
     mesh.model.bands = ["r", "g", "b"].map(str::to_owned).to_vec();
-    let sides = material::add_all(&json, &root.materials, &mut mesh.model)?;
+    let sides = material::add_all(&json, &root, &mut mesh.model)?;
     if !root.animations.is_empty() {
         mesh.model.note("animations are left out", None);
     }
     if root.scenes.len() > 1 {
         mesh.model.note("scenes of the file other than one are left out", None);
     }
-    let is_followed = |name: &&String| FOLLOWED.iter().any(|known| name.starts_with(known));
-    for name in root.extensions_used.iter().filter(|name| !is_followed(name)) {
-        mesh.model.note(format!("the extension {} is left out", short(name)), None);
+    for name in root.extensions_used.iter().filter(|name| extensions::loss(name) == Loss::Unknown) {
+        mesh.model.note(extensions::left_out(name), None);
     }
+    extensions::note(&root.extensions, &root, json.place(json.text()), &mut mesh.model);
     let accessors = Accessors::new(&json, &root, &buffers);
     Nodes::new(&json, &root, accessors, &sides, &mut mesh).add_scene()?;
     Ok(mesh)
@@ -99,8 +76,7 @@ fn check(root: &Root, json: &Json) -> Result<(), Refusal> {
             "export the model as glTF 2.0",
         );
     }
-    let is_harmless = |name: &&String| HARMLESS.iter().any(|known| name.starts_with(known));
-    match root.extensions_required.iter().find(|name| !is_harmless(name)) {
+    match root.extensions_required.iter().find(|name| !extensions::is_harmless(name)) {
         Some(name) => refuse_at(
             place,
             format!("the extension {} is required", short(name)),

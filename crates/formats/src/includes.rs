@@ -32,6 +32,11 @@ impl<'a> Includes<'a> {
         self.open.last().map_or("", |(shown, _)| shown)
     }
 
+    /// Name of the innermost open file, if it is an included one.
+    pub(crate) fn included(&self) -> Option<&str> {
+        (self.open.len() > 1).then(|| self.current())
+    }
+
     /// Path from the scene's folder of a file named `name` by the innermost open file, relative to its own
     /// folder.
     pub(crate) fn beside(&self, name: &str) -> String {

@@ -263,6 +263,7 @@ mod tests {
             material,
             shape: Shape::Sphere { center: glam::DVec3::ZERO, radius: 1.0, inward: false },
             sides: Sides::Front,
+            file: None,
             place: None,
         };
         Model {

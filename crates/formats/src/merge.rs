@@ -20,6 +20,8 @@ mod crossings;
 mod boundary;
 mod straight;
 
+use radiosity_photometry::note_text::NoteText;
+
 use crate::model::{Model, Shape};
 use boundary::Merged;
 use corners::Corners;
@@ -52,7 +54,8 @@ fn note(model: &mut Model, merged: &[Merged]) {
     let are_triangles = merged.iter().flat_map(|merged| &merged.surfaces).all(is_triangle);
     let what = if are_triangles { "triangles" } else { "faces" };
     let polygons = if merged.len() == 1 { "polygon" } else { "polygons" };
-    model.note(format!("{parts} coplanar {what} were merged to {} {polygons}", merged.len()), None);
+    let text = format!("{parts} coplanar {what} were merged to {} {polygons}", merged.len());
+    model.note(NoteText::own(text), None);
 }
 
 /// Puts the polygons in the places of their first faces and takes the other faces out. Corners stay as they

@@ -15,9 +15,34 @@ use crate::tolerances::{GREATEST, MOST_SURFACES, MOST_VERTICES};
 /// Note on normals of vertices that are not those of the faces there.
 pub(crate) const ROUNDED: &str = "normals of vertices are left out: faces are flat";
 
+/// Note on normals of vertices that point to the backs of the faces there.
+pub(crate) const OPPOSED: &str = "normals of vertices that point to the back of their face are left out: the order of corners tells the front";
+
+/// Note on smoothing of faces that meet at an angle.
+pub(crate) const SMOOTHED: &str = "smoothing groups are left out: faces are flat";
+
 /// Sine of the angle between the normal of a vertex and that of a face from which on they differ. Chosen: half a
 /// degree, beyond what normals written with two digits err by.
 const ROUNDED_FROM: f64 = 1e-2;
+
+/// Whether two normals of length 1 differ, which point to one side.
+pub(crate) fn is_bent(one: DVec3, other: DVec3) -> bool {
+    one.cross(other).length() > ROUNDED_FROM || one.dot(other) < 0.0
+}
+
+/// Note on normals at the corners of a face that are not those of the face: light that is interpolated between them
+/// makes flat faces look round, and where they point to the back the front is another one.
+pub(crate) fn remark_on_normals(
+    corners: &[DVec3],
+    normals: impl IntoIterator<Item = DVec3>,
+) -> Option<&'static str> {
+    let own = area_vector(corners).try_normalize()?;
+    let mut bent =
+        normals.into_iter().filter_map(DVec3::try_normalize).filter(|normal| is_bent(*normal, own));
+    let first = bent.next()?;
+    let is_opposed = first.dot(own) < 0.0 && bent.all(|normal| normal.dot(own) < 0.0);
+    Some(if is_opposed { OPPOSED } else { ROUNDED })
+}
 
 /// Object, material and sides of faces.
 #[derive(Clone, Copy, Debug)]
@@ -49,20 +74,15 @@ impl Mesh {
         self.names.len() - 1
     }
 
-    /// Notes normals at the corners of a face that are not those of the face: light that is interpolated between
-    /// them makes flat faces look round.
+    /// Notes normals at the corners of a face that are not those of the face.
     pub(crate) fn note_rounding(
         &mut self,
         corners: &[DVec3],
         normals: impl IntoIterator<Item = DVec3>,
         place: FilePlace,
     ) {
-        let Some(own) = area_vector(corners).try_normalize() else { return };
-        let is_other = |normal: DVec3| {
-            normal.try_normalize().is_some_and(|normal| normal.cross(own).length() > ROUNDED_FROM)
-        };
-        if normals.into_iter().any(is_other) {
-            self.model.note(ROUNDED, Some(place));
+        if let Some(remark) = remark_on_normals(corners, normals) {
+            self.model.note(remark, Some(place));
         }
     }
 
@@ -97,7 +117,14 @@ impl Mesh {
         }
         let Coat { object, material, sides } = coat;
         self.objects.push(object);
-        self.model.surfaces.push(Surface { name: String::new(), material, shape, sides, place: Some(place) });
+        self.model.surfaces.push(Surface {
+            name: String::new(),
+            material,
+            shape,
+            sides,
+            file: None,
+            place: Some(place),
+        });
         Ok(())
     }
 

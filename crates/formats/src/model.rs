@@ -4,12 +4,15 @@
 //! three entries. They do not promise that outlines are sound or that reflectances are below 1: `repair` sees
 //! to that.
 
+use std::sync::Arc;
+
 use glam::DVec3;
 use radiosity_fit::outline::is_warped;
 use radiosity_geom::PlanarRegion;
 use radiosity_photometry::error::{Refusal, refuse};
 use radiosity_photometry::file_place::FilePlace;
 use radiosity_photometry::note::Note;
+use radiosity_photometry::note_text::NoteText;
 
 /// A scene of another program.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -52,6 +55,8 @@ pub struct Surface {
     pub shape: Shape,
     /// Sides of the surface that reflect and emit.
     pub sides: Sides,
+    /// The included file in which the surface stands; none for the file that was read.
+    pub file: Option<Arc<str>>,
     /// Place in the file at which the surface stands.
     pub place: Option<FilePlace>,
 }
@@ -320,7 +325,7 @@ impl Model {
     }
 
     /// Notes something at `place`; what was noted before is only counted.
-    pub fn note(&mut self, text: impl Into<String>, place: Option<FilePlace>) {
+    pub fn note(&mut self, text: impl Into<NoteText>, place: Option<FilePlace>) {
         Note::add(&mut self.notes, text, place);
     }
 }

@@ -23,6 +23,7 @@ use std::f64::consts::PI;
 use radiosity_photometry::error::{Refusal, refuse_at};
 use radiosity_photometry::file_place::FilePlace;
 use radiosity_photometry::files::{Files, Unread};
+use radiosity_photometry::note_text::NoteText;
 use radiosity_photometry::text::decoded;
 use radiosity_photometry::text::short;
 
@@ -84,7 +85,7 @@ fn libraries(
 ) -> Result<HashMap<String, Mtl>, Refusal> {
     let (mut known, mut read) = (HashMap::new(), HashSet::new());
     let mut size = 0;
-    let mut missing = Vec::new();
+    let mut missing: Vec<(NoteText, usize)> = Vec::new();
     for Library { names, line } in libraries {
         for (name, bytes) in bytes(names, &read, files) {
             read.insert(name.clone());
@@ -95,7 +96,10 @@ fn libraries(
                     return Err(refusal.at(FilePlace::Line(*line)));
                 }
                 Err(error) => {
-                    missing.push((format!("'{}' cannot be read: {error}", short(&name)), *line));
+                    let text = NoteText::from("the material file ")
+                        .quoting(format!("'{}'", short(&name)))
+                        .then(format!(" cannot be read: {error}"));
+                    missing.push((text, *line));
                     continue;
                 }
             };
@@ -111,12 +115,10 @@ fn libraries(
             mtl::read(&text, &name, &mut known).map_err(|refusal| refusal.in_file(&name))?;
         }
     }
-    if let Some((first, line)) = missing.first() {
-        let more = match missing.len() - 1 {
-            0 => String::new(),
-            more => format!(", nor can {more} more"),
-        };
-        model.note(format!("the material file {first}{more}"), Some(FilePlace::Line(*line)));
+    let count = missing.len();
+    if let Some((first, line)) = missing.into_iter().next() {
+        let more = if count > 1 { format!(", nor can {} more", count - 1) } else { String::new() };
+        model.note(first.then(more), Some(FilePlace::Line(line)));
     }
     Ok(known)
 }
@@ -143,11 +145,12 @@ fn add_material(model: &mut Model, name: &str, mtl: Option<&Mtl>, line: usize) -
     let (reflectance, emission) = match mtl {
         Some(Mtl { fault: Some(fault), .. }) => return Err(fault.clone()),
         Some(mtl) => {
-            mtl.left_out.iter().for_each(|what| model.note(what.as_str(), None));
+            mtl.left_out.iter().for_each(|what| model.note(what.clone(), None));
             (mtl.reflectance(), mtl.radiance().map(|value| PI * value))
         }
         None => {
-            model.note(format!("materials that no file describes reflect {UNKNOWN}"), place);
+            let text = format!("materials that no file describes reflect {UNKNOWN}");
+            model.note(NoteText::own(text), place);
             ([UNKNOWN; 3], [0.0; 3])
         }
     };
@@ -159,7 +162,7 @@ fn add_material(model: &mut Model, name: &str, mtl: Option<&Mtl>, line: usize) -
     Ok(())
 }
 
-/// Notes materials with colours that are none and that no face has.
+/// Notes materials with faulty colours that no face has.
 fn note_unused(known: &HashMap<String, Mtl>, used: &[MaterialUse], model: &mut Model) {
     let is_used = |name: &String| used.iter().any(|own| own.name == *name);
     let mut faulty: Vec<&String> =
@@ -167,12 +170,9 @@ fn note_unused(known: &HashMap<String, Mtl>, used: &[MaterialUse], model: &mut M
     faulty.retain(|name| !is_used(name));
     faulty.sort();
     for name in faulty {
-        model.note(
-            format!(
-                "the material '{}' is left out: it has a colour that is none, and no face has it",
-                short(name)
-            ),
-            None,
-        );
+        let text = NoteText::from("the material ")
+            .quoting(format!("'{}'", short(name)))
+            .then(", which no face has, is left out: one of its colours cannot be followed");
+        model.note(text, None);
     }
 }

@@ -72,6 +72,7 @@ pub fn refusal(repairs: &Repairs, file: &str) -> Option<Refusal> {
         count => format!("{count} repairs are needed; the first: {}", first.text),
     };
     let cure = "mend the file, or let it be repaired".to_owned();
+    let file = first.file.as_deref().unwrap_or(file);
     Some(Refusal { file: file.to_owned(), place: first.place, cause, cure })
 }
 

@@ -54,8 +54,14 @@ mod tests {
     fn what_points_upwards_along_y_does_along_z() {
         let floor = [DVec3::new(0.1, 0.0, 0.0), DVec3::new(0.1, 0.0, 0.7), DVec3::new(0.3, 0.2, 0.7)];
         let shape = Shape::Polygon { outline: floor.to_vec(), holes: Vec::new() };
-        let surface =
-            Surface { name: "floor".into(), material: None, shape, sides: Sides::Front, place: None };
+        let surface = Surface {
+            name: "floor".into(),
+            material: None,
+            shape,
+            sides: Sides::Front,
+            file: None,
+            place: None,
+        };
         let camera = Camera {
             eye: DVec3::new(1.0, 2.0, 3.0),
             target: DVec3::ZERO,

@@ -159,7 +159,7 @@ fn model(input: &Input, outlines: Vec<Vec<DVec3>>, holes: Vec<Vec<Vec<DVec3>>>) 
     if let Some(line) = input.transformation {
         model.note("coordinate transformations (X) are left out", line);
     }
-    if let Some(line) = input.unknown {
+    if let Some(line) = input.undocumented {
         model.note("lines that begin with I are left out", line);
     }
     Ok(Model { title: input.title.clone(), ..model.finish() })

@@ -114,7 +114,7 @@ impl<'a> Export<'a> {
             }
             let wanted = if is_cut { format!("{name}-{part}") } else { name.to_owned() };
             let name = self.surface_names.take(&wanted);
-            self.model.surfaces.push(Surface { name, material, shape, sides, place: None });
+            self.model.surfaces.push(Surface { name, material, shape, sides, file: None, place: None });
         }
     }
 

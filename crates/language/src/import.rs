@@ -4,7 +4,7 @@
 //! one surface on a line. The text is that of any other scene from there on: solution files keep it, and need
 //! no other reader.
 
-use std::{collections::BTreeSet, fmt, path::Path};
+use std::{collections::BTreeSet, fmt, path::Path, sync::Arc};
 
 use radiosity_formats::{
     colour,
@@ -19,7 +19,7 @@ use radiosity_formats::{
 use radiosity_photometry::{
     error::Refusal,
     file_place::FilePlace,
-    files::{Files, Folder, NoFiles, Reach, without_quotes},
+    files::{Files, Folder, NoFiles, Reach},
     note::Note,
 };
 use radiosity_scene::{Fault, FaultKind, Imported, Notation, SceneError, Source};
@@ -80,20 +80,19 @@ impl Import {
             if file == "-" { ("<stdin>", &NoFiles) } else { (file, &folder) };
         let model = read(format, name, &bytes, files);
         let model = model.map_err(|refusal| refused(folder.discreet(refusal)))?;
-        let (model, mut imported) = self.repaired(model, name, format)?;
         let outside = folder.outside();
-        if !outside.is_empty() {
-            imported.notes.iter_mut().for_each(|note| *note = without_quotes(note));
-        }
+        let (model, imported) = self.repaired(model, name, format, !outside.is_empty())?;
         Ok((model, imported, outside))
     }
 
-    /// The model in `file` with the materials, the unit and the axis that were asked for, repaired.
+    /// The model in `file` with the materials, the unit and the axis that were asked for, repaired. Where
+    /// files `outside` were read, notes quote nothing.
     fn repaired(
         &self,
         mut model: Model,
         file: &str,
         format: Format,
+        outside: bool,
     ) -> Result<(Model, Imported), SceneError> {
         let replaced = match &self.materials {
             Some(side) => materials::apply(side, &mut model).map_err(refused)?,
@@ -113,10 +112,24 @@ impl Import {
             let fault = Fault::new(FaultKind::Foreign, &refusal.cause, cure);
             return Err(SceneError { fault, ..refused(refusal) });
         }
-        let at = |place: Option<FilePlace>| Located { file, place };
+        let text = |note: &Note| if outside { note.text.without_quotes() } else { note.text.to_string() };
         let notes = std::mem::take(&mut model.notes);
-        let notes = notes.iter().map(|note| format!("{}: {}", at(note.place), counted(note))).collect();
-        let repairs = repairs.list.iter().map(|own| format!("{}: {}", at(own.place), own.text)).collect();
+        let notes = notes
+            .iter()
+            .map(|note| {
+                format!(
+                    "{}: {}{}",
+                    Located::of(file, note.file.as_ref(), note.place),
+                    text(note),
+                    times(note)
+                )
+            })
+            .collect();
+        let repairs = repairs
+            .list
+            .iter()
+            .map(|own| format!("{}: {}", Located::of(file, own.file.as_ref(), own.place), own.text))
+            .collect();
         let imported = Imported { file: file.to_owned(), format: format.name(), replaced, notes, repairs };
         Ok((model, imported))
     }
@@ -158,16 +171,22 @@ fn refused(refusal: Refusal) -> SceneError {
     SceneError::of(origin, Fault::foreign(refusal.cause, refusal.cure))
 }
 
-/// Text of a note, with the number of its occurrences if there are several.
-fn counted(note: &Note) -> String {
-    let times = if note.count > 1 { format!(" ({} times)", note.count) } else { String::new() };
-    format!("{}{times}", note.text)
+/// The number of the occurrences of a note, if there are several.
+fn times(note: &Note) -> String {
+    if note.count > 1 { format!(" ({} times)", note.count) } else { String::new() }
 }
 
 /// A file and a line or byte of it: `room.mgf:12`.
 struct Located<'a> {
     file: &'a str,
     place: Option<FilePlace>,
+}
+
+impl<'a> Located<'a> {
+    /// A place in a file that `file` includes, or in itself.
+    fn of(file: &'a str, included: Option<&'a Arc<str>>, place: Option<FilePlace>) -> Self {
+        Self { file: included.map_or(file, |own| own), place }
+    }
 }
 
 impl fmt::Display for Located<'_> {

@@ -9,7 +9,7 @@ use radiosity_scene::{
     error::Located,
     fault::{choice, nearest},
     masked_pair::masked_pairs,
-    surfaces::{Surfaces, fitted_surfaces},
+    surfaces::{Surfaces, fitted_surfaces, unused_materials},
     tree::{Node, Value, entry},
 };
 use radiosity_work::ranks::Ranks;
@@ -150,7 +150,7 @@ pub fn read_with(source: &Source, settings: &[(&str, f64)]) -> Result<Scene, Sce
     match groups.iter().find(|(name, _)| !has(name)) {
         Some((name, _)) if !scene.variables.is_empty() => {
             let variables: Vec<&str> = scene.variables.iter().map(|(name, _)| name.as_str()).collect();
-            refused(unknown_setting(name, &variables, &known))
+            refused(unknown_setting(name, &variables, &known, &source))
         }
         _ => scene.dimmed(&groups),
     }
@@ -228,6 +228,7 @@ fn assemble(mut file: SceneFile, variables: Vec<(String, f64)>, source: &Source)
     scene.title = file.title;
     scene.middle = middle;
     scene.fitted = fitted;
+    scene.unused_materials = unused_materials(materials.keys().map(String::as_str), &list);
     scene.surfaces = list;
     scene.luminaires = luminaires.into_iter().map(|own| own.about(middle)).collect();
     scene.variables = variables;
@@ -277,11 +278,18 @@ fn unknown_scene(name: &str) -> Fault {
 }
 
 /// A setting of neither a variable nor a light group.
-fn unknown_setting(name: &str, variables: &[&str], groups: &[String]) -> Fault {
-    let names = variables.iter().copied().chain(groups.iter().map(String::as_str));
-    let near = nearest(name, names).map(|near| format!("did you mean {near:?}? ")).unwrap_or_default();
-    let groups = if groups.is_empty() { "none".to_owned() } else { groups.join(", ") };
-    let cure = format!("{near}variables of this scene: {}; light groups: {groups}", variables.join(", "));
+fn unknown_setting(name: &str, variables: &[&str], groups: &[String], source: &Source) -> Fault {
+    let listed = |names: &mut dyn Iterator<Item = &str>| {
+        names.filter(|name| source.may_list(name)).map(str::to_owned).collect::<Vec<_>>()
+    };
+    let own = [listed(&mut variables.iter().copied()), listed(&mut groups.iter().map(String::as_str))];
+    let near = nearest(name, own.iter().flatten().map(String::as_str));
+    let near = near.map(|near| format!("did you mean {near:?}? ")).unwrap_or_default();
+    let is_whole = own[0].len() + own[1].len() == variables.len() + groups.len();
+    let others = if is_whole { "" } else { "; others stand in files outside the folder of the scene" };
+    let [variables, groups] =
+        own.map(|names| if names.is_empty() { "none".to_owned() } else { names.join(", ") });
+    let cure = format!("{near}variables of this scene: {variables}; light groups: {groups}{others}");
     let cause = format!("there is no variable or light group {name:?}");
     Fault::new(FaultKind::UnknownName, cause, cure)
 }

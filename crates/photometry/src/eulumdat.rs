@@ -24,6 +24,7 @@ mod planes;
 
 use crate::error::Refusal;
 use crate::note::Note;
+use crate::note_text::NoteText;
 
 use self::lamps::LampSet;
 use self::planes::Stated;
@@ -158,7 +159,7 @@ fn measurement(numbers: &mut Numbers, notes: &mut Vec<Note>) -> Result<Measureme
             "the luminaire was tilted by {}° when measured; γ is counted from straight down",
             told(tilt)
         );
-        Note::add(notes, text, Some(numbers.place()));
+        Note::add(notes, NoteText::own(text), Some(numbers.place()));
     }
     Ok(Measurement { output_ratio, factor, tilt })
 }

@@ -29,16 +29,6 @@ pub fn hidden(kind: &str) -> Refusal {
     Refusal::new(cause, CURE_OF_HIDDEN)
 }
 
-/// A note on files, some of which are outside the folder of the scene, without what it quotes of them.
-pub fn without_quotes(note: &str) -> String {
-    let mut parts = note.split(['\'', '"']);
-    let mut shown = parts.next().unwrap_or_default().to_owned();
-    for (index, part) in parts.enumerate() {
-        shown += if index % 2 == 0 { "…" } else { part };
-    }
-    shown
-}
-
 /// How far a scene may reach for files.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Reach {
@@ -301,16 +291,6 @@ mod tests {
         assert!(matches!(here.bytes("link/c"), Err(Unread::Outside)));
         assert!(matches!(here.bytes("link/x"), Err(Unread::Outside)));
         assert_eq!(here.bytes("near").expect("it is inside"), b"B");
-    }
-
-    #[test]
-    fn notes_are_shown_without_what_they_quote() {
-        assert_eq!(
-            without_quotes("the material 'a b' of \"c\" is left out"),
-            "the material … of … is left out"
-        );
-        assert_eq!(without_quotes("points are left out"), "points are left out");
-        assert_eq!(without_quotes("'a"), "…");
     }
 
     #[test]

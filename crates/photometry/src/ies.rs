@@ -23,6 +23,7 @@ mod planes;
 
 use crate::error::Refusal;
 use crate::note::Note;
+use crate::note_text::NoteText;
 
 use crate::Photometry;
 use crate::ies::edition::Edition;
@@ -129,7 +130,7 @@ fn ballast(numbers: &mut Numbers, edition: Edition, notes: &mut Vec<Note>) -> Re
             let reserved = numbers.next("the number for future use")?;
             if reserved != 1.0 {
                 let text = format!("the number for future use is {}, not 1; it is left out", told(reserved));
-                Note::add(notes, text, Some(numbers.place()));
+                Note::add(notes, NoteText::own(text), Some(numbers.place()));
             }
             1.0
         }

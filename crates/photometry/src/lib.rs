@@ -18,6 +18,7 @@
 //! way round: the plane C0 is across the lamps, so that the width is along x and the length along y.
 
 pub mod file_place;
+pub mod note_text;
 pub mod note;
 pub mod error;
 pub mod files;
@@ -33,6 +34,7 @@ pub mod luminaire;
 use glam::DVec3;
 
 use crate::note::Note;
+use crate::note_text::NoteText;
 use crate::opening::Opening;
 use crate::web::Web;
 
@@ -89,7 +91,7 @@ impl Photometry {
     /// Adds remarks on the table, and on its flux where it differs from the stated one, to the notes.
     pub(crate) fn checked(mut self) -> Self {
         for text in self.web.remarks().into_iter().chain(self.off_flux()) {
-            Note::add(&mut self.notes, text, None);
+            Note::add(&mut self.notes, NoteText::own(text), None);
         }
         self
     }

@@ -1,12 +1,17 @@
 //! Notes: parts of a file that reading left out or changed.
 
+use std::sync::Arc;
+
 use crate::file_place::FilePlace;
+use crate::note_text::NoteText;
 
 /// Note on a part that was left out or changed by reading: "specular reflection is left out".
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Note {
     /// Text of the note, without a full stop.
-    pub text: String,
+    pub text: NoteText,
+    /// The included file in which the first occurrence is; none for the file that was read.
+    pub file: Option<Arc<str>>,
     /// Place of the first occurrence, if it is known.
     pub place: Option<FilePlace>,
     /// Number of occurrences, at least 1.
@@ -19,13 +24,23 @@ const MOST: usize = 100;
 
 impl Note {
     /// Adds a note at `place` to `notes`; one whose text is among them already is only counted.
-    pub fn add(notes: &mut Vec<Note>, text: impl Into<String>, place: Option<FilePlace>) {
+    pub fn add(notes: &mut Vec<Note>, text: impl Into<NoteText>, place: Option<FilePlace>) {
+        Self::add_in(notes, text, None, place);
+    }
+
+    /// Adds a note at `place` of an included file, or of the file that is read, as [`Note::add`] does.
+    pub fn add_in(
+        notes: &mut Vec<Note>,
+        text: impl Into<NoteText>,
+        file: Option<&Arc<str>>,
+        place: Option<FilePlace>,
+    ) {
         let text = text.into();
         let is_room = notes.len() < MOST || notes.iter().any(|note| note.text == text);
-        let text = if is_room { text } else { "other things that are not known are left out".to_owned() };
+        let text = if is_room { text } else { "other things that are not known are left out".into() };
         match notes.iter_mut().find(|note| note.text == text) {
             Some(note) => note.count += 1,
-            None => notes.push(Note { text, place, count: 1 }),
+            None => notes.push(Note { text, file: file.cloned(), place, count: 1 }),
         }
     }
 }

@@ -123,8 +123,8 @@ pub struct Report {
     /// Warnings to the user.
     pub warnings: Vec<Warning>,
     /// Power that is emitted over the area of all surfaces (W m⁻²), beside which readings are dark.
-    #[serde(skip)]
-    light: f64,
+    /// Power that is emitted over the area of all surfaces (W m⁻²), beside which readings are dark.
+    mean_exitance: f64,
 }
 
 /// The transport that carried the pairs of elements.
@@ -239,7 +239,8 @@ impl Report {
             read_error: None,
             checked: None,
             warnings: warnings(solved),
-            light: outcome.checks.energy_in / scene.surfaces.iter().map(|own| own.shape.area()).sum::<f64>(),
+            mean_exitance: outcome.checks.energy_in
+                / scene.surfaces.iter().map(|own| own.shape.area()).sum::<f64>(),
         }
     }
 
@@ -287,7 +288,7 @@ impl Report {
 
     /// Warns of points outside of the room.
     pub fn add_points(&mut self, readings: &[ProbeReading]) {
-        self.warnings.extend(outside_points(readings, self.light));
+        self.warnings.extend(outside_points(readings, self.mean_exitance));
     }
 }
 

@@ -96,7 +96,7 @@ impl Animation {
         let known = || self.movers.iter().map(|mover| mover.name.clone()).collect::<Vec<_>>();
         let found = self.movers.iter().position(|mover| mover.name == name);
         found.ok_or_else(|| {
-            Fault::unknown(format!("unknown motion {name:?}"), name, known(), "motions of this scene")
+            Fault::unknown_name(format!("unknown motion {name:?}"), name, known(), "motions of this scene")
         })
     }
 

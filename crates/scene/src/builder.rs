@@ -22,7 +22,7 @@ use crate::{
     names::{UniqueNames, check_text},
     sensor_plane::SensorPlane,
     surface_draft::{NamedShape, SurfaceDraft},
-    surfaces::{Surfaces, emitting, fitted_surfaces},
+    surfaces::{Surfaces, emitting, fitted_surfaces, unused_materials},
     thermal::Thermal,
     unit::{self, check_unit},
 };
@@ -216,6 +216,7 @@ impl SceneBuilder {
         Ok(Scene {
             middle,
             fitted,
+            unused_materials: unused_materials(self.materials.iter().map(NamedMaterial::name), &list),
             surfaces: list,
             luminaires: self.luminaires.into_iter().map(|own| own.about(middle)).collect(),
             bands: self.bands,

@@ -35,6 +35,16 @@ pub(crate) struct Choice {
     name: String,
     known: Arc<[String]>,
     list: String,
+    from: Vocabulary,
+}
+
+/// Where the names of a choice come from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Vocabulary {
+    /// From the language of scenes.
+    Language,
+    /// From a scene and the files that it names.
+    Scene,
 }
 
 /// Kinds of faults.
@@ -144,12 +154,20 @@ impl Fault {
         Self::new(self.kind, refusal.cause, refusal.cure)
     }
 
-    /// The fault without a list of names, some of which stand in files outside the scene's folder.
+    /// The fault with those names of the scene alone that may be shown: others stand in files outside its folder.
     #[must_use]
-    pub(crate) fn unlisted(self) -> Self {
-        match self.cure {
-            Cure::Choice(_) => self.cured("correct the name; names are not listed, as some are of files outside the folder of the scene"),
-            _ => self,
+    pub(crate) fn listing(self, may_be_shown: impl Fn(&str) -> bool) -> Self {
+        let Cure::Choice(choice) = &self.cure else { return self };
+        let known: Vec<String> = choice.known.iter().filter(|name| may_be_shown(name)).cloned().collect();
+        match (choice.from, known.len()) {
+            (Vocabulary::Language, _) => self,
+            (_, count) if count == choice.known.len() => self,
+            (_, 0) => self.cured("correct the name; names are not listed, as some are of files outside the folder of the scene"),
+            _ => {
+                let list = format!("{}, but for files outside its folder", choice.list);
+                let choice = Choice { known: known.into(), list, ..(**choice).clone() };
+                Self { cure: Cure::Choice(Box::new(choice)), ..self }
+            }
         }
     }
 
@@ -225,19 +243,32 @@ impl Fault {
         Self::new(FaultKind::BadText, "this text is empty", "write at least one letter")
     }
 
-    /// The name `name` is not among those `known`, which the cure lists as `list`.
+    /// The word `name` is not among those of the language that are `known`, which the cure lists as `list`.
     pub fn unknown(
         cause: impl Into<String>,
         name: &str,
         known: impl Into<Arc<[String]>>,
         list: impl Into<String>,
     ) -> Self {
-        let choice = Choice { name: name.to_owned(), known: known.into(), list: list.into() };
-        let cure = Cure::Choice(Box::new(choice));
-        Self { kind: FaultKind::UnknownName, cause: cause.into(), cure }
+        Self::unknown_of(Vocabulary::Language, cause.into(), name, known.into(), list.into())
     }
 
-    /// As [`Fault::unknown`], with the cure `none` where nothing is known.
+    /// The name `name` is not among those `known` of a scene, which the cure lists as `list`.
+    pub(crate) fn unknown_name(
+        cause: impl Into<String>,
+        name: &str,
+        known: impl Into<Arc<[String]>>,
+        list: &str,
+    ) -> Self {
+        Self::unknown_of(Vocabulary::Scene, cause.into(), name, known.into(), list.to_owned())
+    }
+
+    fn unknown_of(from: Vocabulary, cause: String, name: &str, known: Arc<[String]>, list: String) -> Self {
+        let cure = Cure::Choice(Box::new(Choice { name: name.to_owned(), known, list, from }));
+        Self { kind: FaultKind::UnknownName, cause, cure }
+    }
+
+    /// As [`Fault::unknown_name`], with the cure `none` where nothing is known.
     pub fn unknown_or(
         cause: impl Into<String>,
         name: &str,
@@ -248,13 +279,13 @@ impl Fault {
         let known = known.into();
         match known.is_empty() {
             true => Self::new(FaultKind::UnknownName, cause, none),
-            false => Self::unknown(cause, name, known, list),
+            false => Self::unknown_name(cause, name, known, list),
         }
     }
 
     /// An unknown surface.
     pub(crate) fn unknown_surface(name: &str, known: Vec<String>) -> Self {
-        Self::unknown(format!("unknown surface {name:?}"), name, known, "surfaces of this scene")
+        Self::unknown_name(format!("unknown surface {name:?}"), name, known, "surfaces of this scene")
     }
 
     /// An unknown material.

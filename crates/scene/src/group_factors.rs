@@ -31,7 +31,7 @@ impl Scene {
     /// # Errors
     /// An unknown group, one that is set twice, the name of a variable; a factor that is not finite or below 0.
     pub fn dimmed(&self, settings: &[(&str, f64)]) -> Result<Self, SceneError> {
-        let factors = self.factors(settings).map_err(|located| located.in_code(&self.origin))?;
+        let factors = self.factors(settings).map_err(|located| self.error(located))?;
         let mut dimmed = self.clone();
         let groups = dimmed.surfaces.iter_mut().filter_map(|surface| surface.group.as_mut());
         let luminaires = dimmed.luminaires.iter_mut().filter_map(|luminaire| luminaire.group.as_mut());

@@ -101,7 +101,7 @@ pub use thermal::{BackCondition, Condition, Thermal};
 pub use time_function::{Curve, Interpolable, TimeFunction};
 pub use tree::Tree;
 
-use error::title;
+use error::{Located, title};
 
 /// A valid scene.
 #[derive(Clone, Debug)]
@@ -122,6 +122,8 @@ pub struct Scene {
     pub middle: DVec3,
     /// Changes to the shapes, made to fit them together.
     pub fitted: Fitted,
+    /// Names of materials that no surface has.
+    pub unused_materials: Vec<String>,
     /// The surfaces in the order they are given; the back of a two-sided one follows its front.
     pub surfaces: Vec<SceneSurface>,
     /// The luminaires in the order they are given.
@@ -154,6 +156,7 @@ impl Scene {
             title: None,
             middle: DVec3::ZERO,
             fitted: Fitted::default(),
+            unused_materials: Vec::new(),
             surfaces: Vec::new(),
             luminaires: Vec::new(),
             camera: None,
@@ -170,6 +173,15 @@ impl Scene {
         self.source.as_ref()?.imported.as_deref()
     }
 
+    /// The error for what is asked of the scene and does not fit it.
+    pub(crate) fn error(&self, located: Located) -> SceneError {
+        let listed = |fault| match &self.source {
+            Some(source) => source.listing(fault),
+            None => fault,
+        };
+        Located { fault: listed(located.fault), ..located }.in_code(&self.origin)
+    }
+
     /// The index of the surface of that name.
     ///
     /// # Errors
@@ -177,7 +189,7 @@ impl Scene {
     pub fn surface_named(&self, name: &str) -> Result<usize, SceneError> {
         let unknown = || {
             let known = self.surfaces.iter().map(|surface| surface.name.clone()).collect();
-            SceneError::of(&self.origin, Fault::unknown_surface(name, known))
+            self.error(Located::nowhere(Fault::unknown_surface(name, known)))
         };
         self.surfaces.iter().position(|surface| surface.name == name).ok_or_else(unknown)
     }
@@ -187,8 +199,21 @@ impl Scene {
     /// # Errors
     /// [`FaultKind::UnknownName`]; the cure lists the names there are.
     pub fn plane_named(&self, name: &str) -> Result<&SensorPlane, SceneError> {
-        let unknown = || SceneError::of(&self.origin, self.unknown_plane(name));
+        let unknown = || self.error(Located::nowhere(self.unknown_plane(name)));
         self.planes.iter().find(|plane| plane.name() == name).ok_or_else(unknown)
+    }
+
+    /// The index of the band of that name.
+    ///
+    /// # Errors
+    /// [`FaultKind::UnknownName`]; the cure lists the names there are.
+    pub fn band_named(&self, name: &str) -> Result<usize, SceneError> {
+        let unknown = || {
+            let cause = format!("there is no band {name:?}");
+            let fault = Fault::unknown_name(cause, name, self.bands.clone(), "bands of this scene");
+            self.error(Located::nowhere(fault))
+        };
+        self.bands.iter().position(|band| band == name).ok_or_else(unknown)
     }
 
     fn unknown_plane(&self, name: &str) -> Fault {

@@ -232,6 +232,28 @@ impl Source {
         self.is_polygon_list
     }
 
+    /// The fault with those names alone that stand in the folder of the source.
+    pub(crate) fn listing(&self, fault: Fault) -> Fault {
+        fault.listing(|name| self.may_list(name))
+    }
+
+    /// Whether messages may list a name: it stands in the text itself, or in one that it includes from its folder.
+    pub fn may_list(&self, word: &str) -> bool {
+        if self.outside.is_empty() {
+            return true;
+        }
+        // The text of an import holds what all its files say.
+        if self.imported.is_some() {
+            return false;
+        }
+        let is_own = match &self.content {
+            Content::Text(text, _) => text.contains(word),
+            Content::Tree(tree) => tree.value.says(word),
+        };
+        let inside = self.included.iter().filter(|own| !self.outside.contains(&*own.origin));
+        is_own || inside.map(|own| &own.text).any(|text| text.contains(word))
+    }
+
     /// Adds a text that it includes. Returns the place of its first byte in the whole source.
     pub fn include(&mut self, origin: &str, text: &str) -> usize {
         let last = self.included.last().map_or(self.extent(), |last| last.base + last.text.len());
@@ -307,8 +329,7 @@ impl Located {
     pub fn in_source(self, source: &Source) -> SceneError {
         let Located { fault, span, owner } = match &self.span {
             Some(span) if source.outside.contains(source.origin_at(span.start)) => self.discreet(),
-            _ if !source.outside.is_empty() => Located { fault: self.fault.unlisted(), ..self },
-            _ => self,
+            _ => Located { fault: source.listing(self.fault), ..self },
         };
         let (place, owner) = match span {
             Some(span) => (source.place(&span).map(Box::new), source.owner(&span, owner)),

@@ -1,5 +1,7 @@
 //! Drafts → the surfaces of one scene: shapes fitted together, names unique, no surface in another.
 
+use std::collections::BTreeSet;
+
 use radiosity_fit::sides::front_of;
 use radiosity_fit::{coincident::Occupied, middle};
 use radiosity_geom::{Aabb, Bvh, DVec3};
@@ -58,6 +60,15 @@ pub fn fitted_surfaces(
     } else {
         Ok(Surfaces { list, makers, middle, fitted })
     }
+}
+
+/// The materials of these that no surface has.
+pub fn unused_materials<'a>(
+    names: impl IntoIterator<Item = &'a str>,
+    surfaces: &[SceneSurface],
+) -> Vec<String> {
+    let used: BTreeSet<&str> = surfaces.iter().filter_map(|own| own.material_name.as_deref()).collect();
+    names.into_iter().filter(|name| !used.contains(name)).map(str::to_owned).collect()
 }
 
 /// Whether each surface, then each luminaire, emits.

@@ -43,6 +43,21 @@ pub struct Formula {
     pub outcome: Result<f64, At<Fault>>,
 }
 
+impl Value {
+    /// Whether a word stands in a text or a key of it.
+    pub(crate) fn says(&self, word: &str) -> bool {
+        match self {
+            Self::Text(text) => text.contains(word),
+            Self::Formula(formula) => formula.text.contains(word),
+            Self::List(items) => items.iter().any(|item| item.value.says(word)),
+            Self::Table(entries) => {
+                entries.iter().any(|(key, item)| key.value.contains(word) || item.value.says(word))
+            }
+            Self::Number(_) | Self::Truth(_) | Self::Points(_) | Self::Other(_) => false,
+        }
+    }
+}
+
 /// Deeper nesting is refused, of values, parentheses, parts and files; a scene needs six levels. More would
 /// only end in an overflow of the stack.
 pub const DEEPEST: usize = 32;

@@ -17,7 +17,7 @@ impl Scene {
     /// number out of range; [`FaultKind::Conflict`](crate::FaultKind::Conflict) where a surface cannot let
     /// through what the material does.
     pub fn with_material(&self, name: &str, material: Material) -> Result<Self, SceneError> {
-        self.painted(name, &material).map_err(|located| located.in_code(&self.origin))
+        self.painted(name, &material).map_err(|located| self.error(located))
     }
 
     fn painted(&self, name: &str, material: &Material) -> Result<Self, Located> {

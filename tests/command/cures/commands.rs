@@ -9,6 +9,7 @@ mod points;
 mod factors;
 mod pictures;
 mod solutions;
+mod studies;
 
 use super::Typed;
 
@@ -23,4 +24,5 @@ pub(super) const ROWS: &[&[Typed]] = &[
     factors::ROWS,
     pictures::ROWS,
     solutions::ROWS,
+    studies::ROWS,
 ];

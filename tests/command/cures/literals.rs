@@ -41,11 +41,11 @@ impl Token {
 /// The tokens of a source, without comments and characters.
 pub(super) fn tokens(source: &str) -> Vec<Token> {
     let signs: Vec<char> = source.chars().collect();
-    let (mut at, mut tokens) = (0, Vec::new());
+    let (mut at, mut line, mut tokens) = (0, 1, Vec::new());
     while at < signs.len() {
         let (kind, end) = token(&signs, at);
-        let line = 1 + signs[..at].iter().filter(|sign| **sign == '\n').count();
         tokens.extend(kind.map(|kind| Token { kind, line }));
+        line += signs[at..end.min(signs.len())].iter().filter(|sign| **sign == '\n').count();
         at = end;
     }
     tokens

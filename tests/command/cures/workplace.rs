@@ -34,6 +34,20 @@ surfaces = ["plate"]
 translate = { points = [[0, 0, 0], [0, 0, -0.1]] }
 "#;
 
+/// The walls of [`CUBE`], and two of them by themselves, between which light is soon gone.
+const BOX: &str = r#"name = "room"
+material = "white"
+box = { origin = [0, 0, 0], size = [1, 1, 1], inward = true }
+"#;
+const PLATES: &str = r#"name = "room-bottom"
+material = "white"
+quad = { vertices = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]] }
+[[surfaces]]
+name = "room-top"
+material = "white"
+quad = { vertices = [[0, 0, 1], [0, 1, 1], [1, 1, 1], [1, 0, 1]] }
+"#;
+
 const BALL: &str = r#"[[surfaces]]
 name = "ball"
 material = "white"
@@ -126,10 +140,14 @@ const TRIANGLE: &str = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
 
 const MGF: &str = "v a =\nv b =\n p 1 0 0\nv c =\n p 0 1 0\nf a b c\n";
 
+/// A command that writes a solution, and fails as its solver did not converge.
+const UNFINISHED: &str = "solve room.toml -o part.json --solver jacobi --max-iterations 1 --keep-partial";
+
 /// Commands that make the files in which solutions, pictures and records are.
 const MADE: &[&str] = &[
     "solve room.toml -o lit.json",
     "render room.toml -o lit.exr --size 8x8",
+    "render blank.toml -o blank.exr --size 8x8",
     "solve groups.toml -o groups.json",
     "solve vars.toml -o vars.json",
     "solve flat.toml -o flat.json",
@@ -153,6 +171,8 @@ fn without_table(text: &str, header: &str) -> String {
 
 /// Scenes of radiosity.
 fn scenes() -> Vec<(&'static str, String)> {
+    let blank = with(CUBE, BOX, PLATES);
+    let plates = &with(&blank, "[1, 1, 0.5]", "[1, 1, 0.1]");
     let warm = with(CUBE, "emission = 1", "temperature = 300");
     let (still, _) = MOVES.split_once("[[motion]]").expect("a motion");
     let flat = with(still, "frames = 2\n", "");
@@ -161,27 +181,30 @@ fn scenes() -> Vec<(&'static str, String)> {
     let coloured = with(OVEN, "bands = [\"grey\"]", "bands = [\"grey\", \"red\"]");
     let coloured = with(&coloured, "reflectance = 0.5", "reflectance = [0.5, 0.2]");
     vec![
-        ("room.toml", CUBE.to_owned()),
+        ("room.toml", plates.clone()),
+        ("blank.toml", blank.clone()),
+        ("cube.toml", CUBE.to_owned()),
+        ("mirror.toml", with(CUBE, "reflectance = 0.5", "reflectance = 0.99999")),
         ("hung.toml", ROOM.to_owned()),
         ("moves.toml", MOVES.to_owned()),
         ("spun.toml", with(MOVES, "translate = {", "scale = 2\ntranslate = {")),
         ("away.toml", with(MOVES, "[0, 0, -0.1]", "[1e12, 0, 0]")),
         ("onto.toml", with(MOVES, "[[motion]]", &format!("{OTHER}[[motion]]"))),
-        ("blind.toml", without_table(CUBE, "[camera]")),
+        ("blind.toml", without_table(plates, "[camera]")),
         (
             "turned.toml",
-            with(&with(CUBE, "[0.2, 0.2, 0.5]\ntarget", "[9, 9, 9]\ntarget"), "[1, 1, 0.5]", "[19, 19, 9]"),
+            with(&with(plates, "[0.2, 0.2, 0.5]\ntarget", "[9, 9, 9]\ntarget"), "[1, 1, 0.1]", "[19, 19, 9]"),
         ),
-        ("bare.toml", with(CUBE, "material = \"white\"\n", "")),
-        ("dark.toml", with(CUBE, "emission = 1", "emission = 0")),
-        ("planeless.toml", without_table(CUBE, "[planes.desk]")),
+        ("bare.toml", with(plates, "material = \"white\"\n", "")),
+        ("dark.toml", with(plates, "emission = 1", "emission = 0")),
+        ("planeless.toml", without_table(plates, "[planes.desk]")),
         ("round.toml", format!("{CUBE}{BALL}")),
         ("vary.toml", with(&flat, "reflectance = 0.5", "reflectance = { cells = [[0.2, 0.8]] }")),
-        ("groups.toml", with(CUBE, "emission = 1", "emission = 1\ngroup = \"sun\"")),
+        ("groups.toml", with(plates, "emission = 1", "emission = 1\ngroup = \"sun\"")),
         (
             "vars.toml",
             with(
-                CUBE,
+                plates,
                 "[materials.white]\nreflectance = 0.5",
                 "[variables]\nwidth = 0.5\n[materials.white]\nreflectance = \"=width\"",
             ),
@@ -191,11 +214,21 @@ fn scenes() -> Vec<(&'static str, String)> {
         ("sourced.toml", format!("{flat}{POINT}")),
         ("bezier.toml", format!("{flat}{SHEET}")),
         ("bands.toml", two_bands),
+        ("backs.toml", with(&flat, "[0, 1, 1], [1, 1, 1], [1, 0, 1]", "[1, 0, 1], [1, 1, 1], [0, 1, 1]")),
+        (
+            "idle.toml",
+            format!(
+                "{}{}",
+                with(&flat, "reflectance = 0.5", "reflectance = 0"),
+                with(MASK, "\"plate\"\nreceiver = \"floor\"", "\"floor\"\nreceiver = \"plate\"")
+            ),
+        ),
+        ("dull.toml", with(plates, "reflectance = 0.5", "reflectance = 0.4")),
         ("flat.toml", flat),
         ("pointed.toml", format!("{CUBE}{HUNG}")),
         ("oval.toml", format!("{CUBE}{}", with(HUNG, "point.ies", "oval.ies"))),
         ("boxed.toml", format!("{CUBE}{}", with(HUNG, "\"file\"", "[0.2, 0.1]"))),
-        ("pict.toml", with(CUBE, "reflectance = 0.5", "reflectance = { image = \"wood.png\" }")),
+        ("pict.toml", with(plates, "reflectance = 0.5", "reflectance = { image = \"wood.png\" }")),
         (
             "glow.toml",
             with(
@@ -215,8 +248,8 @@ fn scenes() -> Vec<(&'static str, String)> {
         ("grey-part.toml", "bands = [\"grey\"]\n".to_owned()),
         ("red.toml", "bands = [\"red\"]\n".to_owned()),
         ("circle.toml", "include = [\"circle.toml\"]\n".to_owned()),
-        ("both.toml", format!("include = [\"red.toml\"]\n{CUBE}")),
-        ("alike.toml", format!("include = [\"grey-part.toml\"]\n{CUBE}")),
+        ("both.toml", format!("include = [\"red.toml\"]\n{plates}")),
+        ("alike.toml", format!("include = [\"grey-part.toml\"]\n{plates}")),
         ("broken.toml", "bands = 3\n".to_owned()),
         ("far/outside.toml", "include = [\"../room.toml\"]\n".to_owned()),
         ("far/inner.toml", "include = [\"../broken.toml\"]\n".to_owned()),
@@ -283,6 +316,7 @@ pub(super) fn files() -> TempDir {
     }
     std::fs::create_dir(folder.path().join("sub")).expect("a folder can be made");
     MADE.iter().for_each(|line| drop(program::done(folder.path(), &words(line))));
+    assert!(!typed(folder.path(), UNFINISHED).status.success(), "it did not converge");
     folder
 }
 

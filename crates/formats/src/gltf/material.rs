@@ -1,13 +1,14 @@
 //! Materials (section 3.9): their diffuse part.
 
+use std::collections::BTreeSet;
 use std::f64::consts::PI;
 
 use radiosity_photometry::error::{Refusal, refuse_at};
 use radiosity_photometry::file_place::FilePlace;
-use serde_json::value::RawValue;
 
+use super::extensions::{self, SPECULAR, TRANSPARENCY};
 use super::json::Json;
-use super::scheme;
+use super::scheme::{self, Root};
 use crate::colour::{TEXTURED, TEXTURED_EMISSION, UNKNOWN};
 use crate::model::{Material, Model, Sides};
 use crate::names::UniqueNames;
@@ -16,13 +17,13 @@ use crate::tolerances::GREATEST;
 /// Adds all materials to the model, under their names or numbers. Returns the sides of the surfaces of each.
 pub(super) fn add_all<'a>(
     json: &Json<'a>,
-    materials: &[&'a RawValue],
+    root: &Root<'a>,
     model: &mut Model,
 ) -> Result<Vec<Sides>, Refusal> {
     let mut names = UniqueNames::default();
-    let mut all = Vec::with_capacity(materials.len());
-    for (index, text) in materials.iter().enumerate() {
-        let (mut material, sides) = read(json, text.get(), index, model)?;
+    let mut all = Vec::with_capacity(root.materials.len());
+    for (index, text) in root.materials.iter().enumerate() {
+        let (mut material, sides) = read(json, root, text.get(), index, model)?;
         material.name = names.take(&material.name);
         model.materials.push(material);
         all.push(sides);
@@ -33,13 +34,15 @@ pub(super) fn add_all<'a>(
 /// A material and the sides of its surfaces. What is left out is noted.
 fn read<'a>(
     json: &Json<'a>,
+    root: &Root<'a>,
     text: &'a str,
     index: usize,
     model: &mut Model,
 ) -> Result<(Material, Sides), Refusal> {
     let material: scheme::Material = json.parse(text, &format!("the material {index}"))?;
     let place = json.place(text);
-    note(&material, place, model);
+    losses(&material).into_iter().for_each(|text| model.note(text, Some(place)));
+    extensions::note(&material.extensions.others, root, place, model);
     let reflectance = reflectance(&material, place, model);
     let emission = emission(&material, place, model);
     if !reflectance.iter().chain(&emission).all(|value| (0.0..=GREATEST).contains(value)) {
@@ -60,20 +63,22 @@ fn read<'a>(
     Ok((read, if material.double_sided { Sides::Both } else { Sides::Front }))
 }
 
+/// The part that reflects as a metal; none where a texture tells it.
+fn metallic(pbr: &scheme::Pbr) -> f64 {
+    match (pbr.metallic_roughness_texture, pbr.metallic_factor) {
+        (Some(_), _) => 0.0,
+        (None, factor) => factor.unwrap_or(1.0),
+    }
+}
+
 /// Diffuse reflectance of red, green and blue.
 fn reflectance(material: &scheme::Material, place: FilePlace, model: &mut Model) -> [f64; 3] {
     let pbr = &material.pbr_metallic_roughness;
-    let metallic = match (pbr.metallic_roughness_texture, pbr.metallic_factor) {
-        (Some(_), _) => 0.0,
-        (None, factor) => factor.unwrap_or(1.0),
-    };
     let (mut base, mut texture) = (pbr.base_color_factor, pbr.base_color_texture);
-    let mut diffuse = 1.0 - metallic;
+    let mut diffuse = 1.0 - metallic(pbr);
     if let Some(glossiness) = &material.extensions.glossiness {
         (base, texture) = (glossiness.diffuse_factor, glossiness.diffuse_texture);
         diffuse = 1.0;
-    } else if metallic > 0.0 {
-        model.note("specular reflection is left out", Some(place));
     }
     if texture.is_some() {
         model.note(TEXTURED, Some(place));
@@ -94,14 +99,16 @@ fn emission(material: &scheme::Material, place: FilePlace, model: &mut Model) ->
     emission
 }
 
-/// Says what of a material is left out.
-fn note(material: &scheme::Material, place: FilePlace, model: &mut Model) {
+/// Losses of a material, each kind once.
+fn losses(material: &scheme::Material) -> BTreeSet<&'static str> {
     let pbr = &material.pbr_metallic_roughness;
-    if pbr.metallic_roughness_texture.or(material.normal_texture).is_some() {
-        model.note("textures are left out", Some(place));
-    }
+    let is_textured = pbr.metallic_roughness_texture.or(material.normal_texture).is_some();
     let is_transparent = material.alpha_mode.as_deref().is_some_and(|mode| mode != "OPAQUE");
-    if is_transparent || material.extensions.transmission.is_some() {
-        model.note("transparency is left out", Some(place));
-    }
+    let is_metal = material.extensions.glossiness.is_none() && metallic(pbr) > 0.0;
+    let own = [
+        is_textured.then_some("textures are left out"),
+        is_transparent.then_some(TRANSPARENCY),
+        is_metal.then_some(SPECULAR),
+    ];
+    own.into_iter().flatten().chain(extensions::told(&material.extensions.others)).collect()
 }

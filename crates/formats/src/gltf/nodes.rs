@@ -9,6 +9,7 @@ use radiosity_photometry::file_place::FilePlace;
 use serde_json::value::RawValue;
 
 use super::accessor::{Accessors, Data, NumberUse};
+use super::extensions;
 use super::json::{Json, unlisted};
 use super::scheme::{self, Node, Primitive, Root};
 use super::triangles::{Mode, Triangles};
@@ -138,6 +139,7 @@ impl<'a, 'b> Nodes<'a, 'b> {
         for (_, what) in lost.iter().filter(|lost| lost.0) {
             self.mesh.model.note(*what, Some(*place));
         }
+        extensions::note(&node.extensions.others, self.root, *place, &mut self.mesh.model);
         if let Some(camera) = node.camera {
             self.add_camera(camera, placed)?;
         }
@@ -255,6 +257,7 @@ impl<'a, 'b> Nodes<'a, 'b> {
         for (_, what) in lost.iter().filter(|lost| lost.0) {
             self.mesh.model.note(*what, Some(place));
         }
+        extensions::note(&primitive.extensions, self.root, place, &mut self.mesh.model);
     }
 
     /// Object, material and sides that all faces of a primitive have. Without a material, surfaces have none.

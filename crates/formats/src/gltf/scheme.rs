@@ -1,11 +1,16 @@
 //! The members of a glTF that are read (section 5).
 
+use std::collections::BTreeMap;
+
 use serde::Deserialize;
 use serde::de::IgnoredAny;
 use serde_json::value::RawValue;
 
 /// A list whose items know their places.
 type List<'a> = Vec<&'a RawValue>;
+
+/// Extensions at a place of a file, by their names.
+pub(super) type Extensions = BTreeMap<String, IgnoredAny>;
 
 /// The root object of the JSON.
 #[derive(Debug, Deserialize)]
@@ -35,6 +40,8 @@ pub(super) struct Root<'a> {
     pub(super) extensions_required: Vec<String>,
     #[serde(default)]
     pub(super) extensions_used: Vec<String>,
+    #[serde(default)]
+    pub(super) extensions: Extensions,
 }
 
 #[derive(Debug, Deserialize)]
@@ -71,6 +78,8 @@ pub(super) struct NodeExtensions {
     pub(super) light: Option<IgnoredAny>,
     #[serde(rename = "EXT_mesh_gpu_instancing")]
     pub(super) instances: Option<IgnoredAny>,
+    #[serde(flatten)]
+    pub(super) others: Extensions,
 }
 
 #[derive(Debug, Deserialize)]
@@ -87,6 +96,8 @@ pub(super) struct Primitive {
     pub(super) material: Option<usize>,
     pub(super) mode: Option<u32>,
     pub(super) targets: Option<IgnoredAny>,
+    #[serde(default)]
+    pub(super) extensions: Extensions,
 }
 
 #[derive(Debug, Deserialize)]
@@ -179,10 +190,10 @@ pub(super) struct Pbr {
 pub(super) struct MaterialExtensions {
     #[serde(rename = "KHR_materials_emissive_strength")]
     pub(super) strength: Option<EmissiveStrength>,
-    #[serde(rename = "KHR_materials_transmission")]
-    pub(super) transmission: Option<IgnoredAny>,
     #[serde(rename = "KHR_materials_pbrSpecularGlossiness")]
     pub(super) glossiness: Option<Glossiness>,
+    #[serde(flatten)]
+    pub(super) others: Extensions,
 }
 
 #[derive(Debug, Deserialize)]

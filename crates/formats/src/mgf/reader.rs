@@ -8,7 +8,7 @@ use crate::budget::Budget;
 use crate::builder::{Coat, ModelBuilder};
 use crate::includes::Includes;
 use crate::lines::Lines;
-use crate::mesh::ROUNDED;
+use crate::mesh::{ROUNDED, remark_on_normals};
 use crate::mgf::chromaticity::{Chromaticity, MixturePart};
 use crate::mgf::contexts::Contexts;
 use crate::mgf::shapes::{self, Vertex};
@@ -28,19 +28,39 @@ struct Open<'a> {
     start: Lines<'a>,
 }
 
-/// A colour of a context, or why it is none, which counts where the colour is used.
+/// A value of a context, or why it is none, which counts where a surface has it.
 #[derive(Clone, Debug)]
-struct Colour(Result<Chromaticity, Refusal>);
+struct Stated<T>(Result<T, Refusal>);
 
-impl Default for Colour {
+impl<T: Default> Default for Stated<T> {
     fn default() -> Self {
-        Self(Ok(Chromaticity::default()))
+        Self(Ok(T::default()))
     }
 }
 
-impl Colour {
-    fn used(&self) -> Result<Chromaticity, Refusal> {
-        self.0.clone()
+/// A material: red, green and blue of what it reflects and emits, and its sides.
+#[derive(Clone, Debug)]
+struct Material {
+    reflectance: Stated<[f64; 3]>,
+    emission: Stated<[f64; 3]>,
+    sides: Sides,
+}
+
+impl Default for Material {
+    /// Black on both sides.
+    fn default() -> Self {
+        Self { reflectance: Stated::default(), emission: Stated::default(), sides: Sides::Both }
+    }
+}
+
+impl Material {
+    /// The coat of a surface that has it.
+    ///
+    /// # Errors
+    /// Values that are faulty.
+    fn coat(&self, name: &str) -> Result<Coat, Refusal> {
+        let Self { reflectance: Stated(reflectance), emission: Stated(emission), sides } = self.clone();
+        Ok(Coat { name: name.to_owned(), reflectance: reflectance?, emission: emission?, sides })
     }
 }
 
@@ -49,11 +69,8 @@ pub(super) struct Reader<'a> {
     includes: Includes<'a>,
     model: ModelBuilder,
     vertices: Contexts<Vertex>,
-    colours: Contexts<Colour>,
-    /// Lines of colours that are none.
-    faulty: Vec<usize>,
-    /// Reflectance, exitance and sides.
-    materials: Contexts<Coat>,
+    colours: Contexts<Stated<Chromaticity>>,
+    materials: Contexts<Material>,
     objects: Vec<String>,
     placed: Similarity,
     budget: Budget,
@@ -67,7 +84,6 @@ impl<'a> Reader<'a> {
             model: ModelBuilder::default(),
             vertices: Contexts::new("vertex"),
             colours: Contexts::new("colour"),
-            faulty: Vec::new(),
             materials: Contexts::new("material"),
             objects: Vec::new(),
             placed: Similarity::IDENTITY,
@@ -79,10 +95,6 @@ impl<'a> Reader<'a> {
     pub(super) fn finish(mut self) -> Model {
         // MGF 2.0, entity `ed`: lumens per square metre.
         self.model.unit("lx");
-        // One that is used ends the reading.
-        for line in std::mem::take(&mut self.faulty) {
-            self.model.note("colours that are none, and that nothing has, are left out", line);
-        }
         self.model.finish()
     }
 
@@ -163,9 +175,11 @@ impl<'a> Reader<'a> {
         let outside = self.placed;
         for instance in 0..transforms.count() {
             let text = self.includes.enter(&path)?;
+            self.model.stand_in(self.includes.included());
             self.placed = transforms.instance(instance).then(&outside);
             self.read(&text)?;
             self.includes.leave();
+            self.model.stand_in(self.includes.included());
             self.budget.spend_on_include()?;
         }
         self.placed = outside;
@@ -181,7 +195,8 @@ impl<'a> Reader<'a> {
             "m" => self.materials.switch(arguments),
             "p" | "n" => self.set_vertex(entity, arguments),
             "cxy" | "cspec" | "cct" | "cmix" => self.set_colour(entity, arguments, line),
-            "rd" | "ed" | "sides" => self.set_material(entity, arguments),
+            "rd" | "ed" => self.set_light(entity, arguments, line),
+            "sides" => self.set_sides(arguments),
             "rs" | "td" | "ts" | "ir" => self.leave_out(entity, arguments, line),
             "o" => self.object(arguments, line),
             "ies" => {
@@ -233,16 +248,22 @@ impl<'a> Reader<'a> {
             }
             _ => self.mixture(arguments)?,
         };
-        let colour = colour.map_err(|fault| self.refusal(fault, line));
-        self.faulty.extend(colour.is_err().then_some(line));
-        *self.colours.current_mut() = Colour(colour);
+        *self.colours.current_mut() = self.stated(colour, line);
         Ok(())
+    }
+
+    /// The value that a line states. A fault, which is noted where it is found, ends the reading if a surface has it.
+    fn stated<T>(&mut self, value: Result<T, Refusal>, line: usize) -> Stated<T> {
+        if value.as_ref().is_err_and(|fault| fault.file.is_empty()) {
+            self.model.note("faulty colours and materials that no surface has are left out", line);
+        }
+        Stated(value.map_err(|fault| self.refusal(fault, line)))
     }
 
     /// The colour of a mixture, or why it is none.
     ///
     /// # Errors
-    /// Arguments that are no mixture, and colours of it that are none.
+    /// Arguments that are no mixture.
     fn mixture(&self, arguments: &[&str]) -> Result<Result<Chromaticity, Refusal>, Refusal> {
         let mut parts = Vec::new();
         for pair in arguments.chunks(2) {
@@ -250,31 +271,39 @@ impl<'a> Reader<'a> {
                 return refuse("a mixture lacks a colour", "write a weight before each colour");
             };
             let weight = number(weight, "a weight")?;
-            parts.push(MixturePart { weight, colour: self.colours.get(colour)?.used()? });
+            parts.push((weight, self.colours.get(colour)?));
         }
-        Ok(Chromaticity::of_mixture(&parts))
+        let part = |(weight, Stated(colour)): (f64, &Stated<Chromaticity>)| {
+            Ok(MixturePart { weight, colour: colour.clone()? })
+        };
+        let parts: Result<Vec<MixturePart>, Refusal> = parts.into_iter().map(part).collect();
+        Ok(parts.and_then(|parts| Chromaticity::of_mixture(&parts)))
     }
 
-    fn set_material(&mut self, entity: &str, arguments: &[&str]) -> Result<(), Refusal> {
+    /// Entities `rd` and `ed`: what the current material reflects or emits of the current colour.
+    fn set_light(&mut self, entity: &str, arguments: &[&str], line: usize) -> Result<(), Refusal> {
         let [value] = numbers(entity, arguments)?;
-        if value < 0.0 {
-            return refuse(format!("{entity} is {value}, below 0"), "write 0 or more");
-        }
-        let bands = self.colours.current().1.used()?.bands().map(|band| band * value);
+        let Stated(colour) = self.colours.current().1;
+        let bands = match value < 0.0 {
+            true => refuse(format!("{entity} is {value}, below 0"), "write 0 or more"),
+            false => colour.clone().map(|colour| colour.bands().map(|band| band * value)),
+        };
+        let bands = self.stated(bands, line);
         let material = self.materials.current_mut();
         match entity {
             "rd" => material.reflectance = bands,
-            "ed" => material.emission = bands,
-            _ => {
-                material.sides = match value {
-                    1.0 => Sides::Front,
-                    2.0 => Sides::Both,
-                    _ => {
-                        return refuse(format!("a material has {value} sides"), "write sides 1 or sides 2");
-                    }
-                };
-            }
+            _ => material.emission = bands,
         }
+        Ok(())
+    }
+
+    fn set_sides(&mut self, arguments: &[&str]) -> Result<(), Refusal> {
+        let [value] = numbers("sides", arguments)?;
+        self.materials.current_mut().sides = match value {
+            1.0 => Sides::Front,
+            2.0 => Sides::Both,
+            _ => return refuse(format!("a material has {value} sides"), "write sides 1 or sides 2"),
+        };
         Ok(())
     }
 
@@ -318,10 +347,16 @@ impl<'a> Reader<'a> {
         let radius = |word: &str| number(word, "a radius");
         let point = |id: &str| Ok(self.vertices.get(id)?.point);
         let shape = match (entity, arguments) {
-            ("f", outline) => shapes::face(self.points(outline, line)?)?,
+            ("f", outline) => {
+                let outline = self.vertices(outline)?;
+                self.note_normals(&outline, &outline, line);
+                shapes::face(points(&outline))?
+            }
             ("fh", loops) => {
-                let loops = loops.split(|word| *word == "-").map(|ids| self.points(ids, line));
-                shapes::face_with_holes(loops.collect::<Result<_, _>>()?)?
+                let loops = loops.split(|word| *word == "-").map(|ids| self.vertices(ids));
+                let loops: Vec<Vec<Vertex>> = loops.collect::<Result<_, _>>()?;
+                self.note_normals(&loops[0], &loops.concat(), line);
+                shapes::face_with_holes(loops.iter().map(|own| points(own)).collect())?
             }
             ("sph", [center, size]) => shapes::sphere(point(center)?, radius(size)?),
             ("cyl", [base, size, end]) => shapes::cone([point(base)?, point(end)?], [radius(size)?; 2])?,
@@ -336,7 +371,12 @@ impl<'a> Reader<'a> {
             }
             ("prism", [outline @ .., length]) => {
                 let length = number(length, "the length of a prism")?;
-                return shapes::prism(self.points(outline, line)?, length);
+                let outline = self.vertices(outline)?;
+                // Normals of a prism are those of its mantle.
+                if outline.iter().any(|vertex| vertex.normal != DVec3::ZERO) {
+                    self.model.note(ROUNDED, line);
+                }
+                return shapes::prism(points(&outline), length);
             }
             (entity, arguments) => {
                 return refuse(
@@ -348,21 +388,29 @@ impl<'a> Reader<'a> {
         Ok(vec![shape])
     }
 
-    fn points(&mut self, ids: &[&str], line: usize) -> Result<Vec<DVec3>, Refusal> {
-        let vertices = ids.iter().map(|id| self.vertices.get(id).copied()).collect::<Result<Vec<_>, _>>()?;
-        if vertices.iter().any(|vertex| vertex.normal != DVec3::ZERO) {
-            self.model.note(ROUNDED, line);
+    fn vertices(&self, ids: &[&str]) -> Result<Vec<Vertex>, Refusal> {
+        ids.iter().map(|id| self.vertices.get(id).copied()).collect()
+    }
+
+    /// Notes normals at the vertices of a face that are not those of its outline.
+    fn note_normals(&mut self, outline: &[Vertex], vertices: &[Vertex], line: usize) {
+        let normals = vertices.iter().map(|vertex| vertex.normal);
+        if let Some(remark) = remark_on_normals(&points(outline), normals) {
+            self.model.note(remark, line);
         }
-        Ok(vertices.into_iter().map(|vertex| vertex.point).collect())
     }
 
     /// Adds a shape where the transform puts it.
     fn add(&mut self, shape: &Shape, line: usize) -> Result<(), Refusal> {
-        let (name, coat) = self.materials.current();
-        let coat = Coat { name: name.unwrap_or("unnamed").to_owned(), ..coat.clone() };
+        let (name, material) = self.materials.current();
+        let coat = material.coat(name.unwrap_or("unnamed"))?;
         let name = self.objects.last().map(String::as_str);
         self.model.surface(name, self.placed.shape(shape), &coat, line)
     }
+}
+
+fn points(vertices: &[Vertex]) -> Vec<DVec3> {
+    vertices.iter().map(|vertex| vertex.point).collect()
 }
 
 /// The transforms that all of `arguments` make.

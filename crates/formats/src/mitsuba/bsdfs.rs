@@ -3,6 +3,7 @@
 use std::collections::HashMap;
 
 use radiosity_photometry::error::Refusal;
+use radiosity_photometry::note_text::NoteText;
 use radiosity_photometry::text::short;
 
 use super::colours::{Colour, Colours};
@@ -87,8 +88,8 @@ impl Bsdfs {
             "principled" | "principledthin" => principled(bsdf, colours),
             "twosided" => self.twosided(bsdf, colours),
             "mask" | "bumpmap" | "normalmap" => {
-                let what = if kind == "mask" { "opacity" } else { "the relief" };
-                note(bsdf, &format!("{what} is left out"), colours);
+                let what = if kind == "mask" { "opacity is left out" } else { "the relief is left out" };
+                note(bsdf, what, colours);
                 self.nested(bsdf, colours).map(|mut nested| nested.remove(0))
             }
             "blendbsdf" => self.blend(bsdf, colours),
@@ -157,10 +158,8 @@ fn front<'a>(bsdf: &'a Element, name: &str, colours: &mut Colours<'a, '_>) -> Re
     let reflectance = match colours.property(bsdf, name)? {
         Some(Colour::Known(reflectance)) => reflectance,
         Some(Colour::Unknown(kind)) => {
-            colours.remarks.add(
-                format!("reflectances of type '{kind}' become {UNKNOWN}: their mean is not known"),
-                bsdf,
-            );
+            let text = NoteText::from("reflectances of type ").quoting(format!("'{kind}'"));
+            colours.remarks.add(text.then(format!(" become {UNKNOWN}: their mean is not known")), bsdf);
             [UNKNOWN; 3]
         }
         None => [USUAL; 3],
@@ -193,5 +192,6 @@ fn black(bsdf: &Element) -> Finish {
 /// Says what of bsdfs of a type is left out. What else is in it needs no word.
 fn note(bsdf: &Element, what: &str, colours: &mut Colours<'_, '_>) {
     bsdf.pass_over();
-    colours.remarks.add(format!("of bsdfs of type '{}': {what}", short(bsdf.kind())), bsdf);
+    let text = NoteText::from("of bsdfs of type ").quoting(format!("'{}'", short(bsdf.kind())));
+    colours.remarks.add(text.then(format!(": {what}")), bsdf);
 }

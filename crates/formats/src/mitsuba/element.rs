@@ -2,10 +2,12 @@
 
 use std::cell::Cell;
 use std::rc::Rc;
+use std::sync::Arc;
 
 use radiosity_photometry::error::Refusal;
 use radiosity_photometry::file_place::FilePlace;
 use radiosity_photometry::note::Note;
+use radiosity_photometry::note_text::NoteText;
 use radiosity_photometry::text::{number, short};
 
 /// An element and those inside it.
@@ -163,8 +165,9 @@ pub(super) struct Remarks(pub(super) Vec<Note>);
 
 impl Remarks {
     /// Remarks something about an element.
-    pub(super) fn add(&mut self, text: impl Into<String>, element: &Element) {
-        Note::add(&mut self.0, text, Some(FilePlace::Line(element.line)));
+    pub(super) fn add(&mut self, text: impl Into<NoteText>, element: &Element) {
+        let file = Some(Arc::from(&*element.file));
+        Note::add_in(&mut self.0, text, file.as_ref(), Some(FilePlace::Line(element.line)));
     }
 }
 

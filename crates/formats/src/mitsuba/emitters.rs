@@ -3,6 +3,7 @@
 use std::f64::consts::PI;
 
 use radiosity_photometry::error::Refusal;
+use radiosity_photometry::note_text::NoteText;
 use radiosity_photometry::text::short;
 
 use super::colours::{Colour, Colours};
@@ -35,5 +36,6 @@ pub(super) fn exitance<'a>(
 /// Says that an emitter is left out.
 pub(super) fn left_out(emitter: &Element, colours: &mut Colours<'_, '_>) {
     emitter.pass_over();
-    colours.remarks.add(format!("emitters of type '{}' are left out", short(emitter.kind())), emitter);
+    let text = NoteText::from("emitters of type ").quoting(format!("'{}'", short(emitter.kind())));
+    colours.remarks.add(text.then(" are left out"), emitter);
 }

@@ -1,5 +1,6 @@
 //! Leftovers: elements and attributes that nothing was made of.
 
+use radiosity_photometry::note_text::NoteText;
 use radiosity_photometry::text::short;
 
 use super::element::{Element, Remarks};
@@ -53,7 +54,8 @@ fn attributes(tag: &str) -> &'static [&'static str] {
 pub(super) fn remark(element: &Element, remarks: &mut Remarks) {
     let known = attributes(&element.tag);
     for (name, _) in element.attributes.iter().filter(|(name, _)| !known.contains(&name.as_str())) {
-        let text = format!("the attribute '{}' of <{}> is left out", short(name), short(&element.tag));
+        let text = NoteText::from("the attribute ").quoting(format!("'{}'", short(name)));
+        let text = text.then(" of ").quoting(format!("<{}>", short(&element.tag))).then(" is left out");
         remarks.add(text, element);
     }
     for child in &element.children {
@@ -66,7 +68,7 @@ pub(super) fn remark(element: &Element, remarks: &mut Remarks) {
 }
 
 /// Remark on an element that nothing was made of; none if it needs no word.
-fn told(child: &Element, parent: &Element) -> Option<String> {
+fn told(child: &Element, parent: &Element) -> Option<NoteText> {
     let within = match parent.kind() {
         "" => format!("<{}>", short(&parent.tag)),
         kind => format!("<{} type=\"{}\">", short(&parent.tag), short(kind)),
@@ -74,8 +76,16 @@ fn told(child: &Element, parent: &Element) -> Option<String> {
     match child.attribute("name") {
         _ if PICTURE.contains(&child.tag.as_str()) => None,
         Some(name) if HARMLESS.contains(&name) => None,
-        Some(name) => Some(format!("'{}' of {within} is left out", short(name))),
+        Some(name) => {
+            let text = NoteText::default().quoting(format!("'{}'", short(name)));
+            Some(text.then(" of ").quoting(within).then(" is left out"))
+        }
         None if SILENT.contains(&child.tag.as_str()) => None,
-        None => Some(format!("<{}> in {within} is left out", short(&child.tag))),
+        // What has such a medium tells of it.
+        None if child.tag == "medium" && parent.tag == "scene" => None,
+        None => {
+            let text = NoteText::default().quoting(format!("<{}>", short(&child.tag)));
+            Some(text.then(" in ").quoting(within).then(" is left out"))
+        }
     }
 }

@@ -4,6 +4,7 @@ use std::collections::HashMap;
 use std::rc::Rc;
 
 use radiosity_photometry::error::Refusal;
+use radiosity_photometry::note_text::NoteText;
 use radiosity_photometry::text::short;
 
 use super::element::Element;
@@ -19,7 +20,7 @@ pub(super) struct Mesh {
     /// Whether the file states normals at vertices.
     pub(super) has_normals: bool,
     /// Notes of the reader on parts of the file that were left out.
-    pub(super) remarks: Vec<String>,
+    pub(super) remarks: Vec<NoteText>,
 }
 
 /// The meshes that were read, by their paths.

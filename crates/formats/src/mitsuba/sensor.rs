@@ -2,6 +2,7 @@
 
 use glam::DVec3;
 use radiosity_photometry::error::Refusal;
+use radiosity_photometry::note_text::NoteText;
 use radiosity_photometry::text::{number, short};
 
 use super::element::{Element, Remarks};
@@ -28,6 +29,12 @@ pub(super) fn camera<'a>(
     ids: &Ids<'a>,
     remarks: &mut Remarks,
 ) -> Result<Option<Camera>, Refusal> {
+    for child in &sensor.children {
+        if ids.tag(child).is_ok_and(|tag| tag == "medium") {
+            child.pass_over();
+            remarks.add("the medium around the camera is left out", child);
+        }
+    }
     match sensor.meet().kind() {
         "perspective" => {}
         "thinlens" => {
@@ -36,7 +43,8 @@ pub(super) fn camera<'a>(
         }
         kind => {
             sensor.pass_over();
-            remarks.add(format!("sensors of type '{}' are left out", short(kind)), sensor);
+            let text = NoteText::from("sensors of type ").quoting(format!("'{}'", short(kind)));
+            remarks.add(text.then(" are left out"), sensor);
             return Ok(None);
         }
     }

@@ -2,6 +2,7 @@
 
 use glam::{DAffine3, DVec3};
 use radiosity_photometry::error::Refusal;
+use radiosity_photometry::note_text::NoteText;
 use radiosity_photometry::text::short;
 
 use super::bsdfs::{Bsdfs, Finish, USUAL};
@@ -14,7 +15,7 @@ use super::placed;
 use super::transforms;
 use crate::budget::Budget;
 use crate::builder::{Coat, ModelBuilder};
-use crate::mesh::ROUNDED;
+use crate::mesh::{OPPOSED, ROUNDED, SMOOTHED};
 use crate::model::{Model, Shape, Sides};
 use radiosity_photometry::files::Files;
 
@@ -93,7 +94,8 @@ impl<'a, 'b> Shapes<'a, 'b> {
         let kind = shape.kind();
         if !matches!(kind, "rectangle" | "cube" | "disk" | "cylinder" | "sphere" | "obj" | "ply") {
             shape.pass_over();
-            self.remarks.add(format!("shapes of type '{}' are left out", short(kind)), shape);
+            let text = NoteText::from("shapes of type ").quoting(format!("'{}'", short(kind)));
+            self.remarks.add(text.then(" are left out"), shape);
             return Ok(());
         }
         let Some(coat) = self.coat(shape)? else {
@@ -107,6 +109,7 @@ impl<'a, 'b> Shapes<'a, 'b> {
         let is_alone = parts.len() == 1;
         for (index, part) in parts.into_iter().enumerate() {
             let name = if is_alone { name.clone() } else { format!("{name}-{}", index + 1) };
+            self.model.stand_in(Some(&shape.file));
             let added = self.model.surface(Some(&name), part, &coat, shape.line);
             added.map_err(|fault| shape.at(fault))?;
         }
@@ -145,8 +148,11 @@ impl<'a, 'b> Shapes<'a, 'b> {
             _ => {
                 let mesh = self.meshes.of(shape)?;
                 let is_flat = shape.boolean("face_normals")?;
-                let remarks = mesh.remarks.iter().filter(|text| !(is_flat && *text == ROUNDED));
-                remarks.for_each(|text| self.remarks.add(format!("of meshes: {text}"), shape));
+                let of_normals = [ROUNDED, OPPOSED, SMOOTHED];
+                let is_told = |text: &&NoteText| !(is_flat && of_normals.contains(&text.as_str()));
+                let remarks = mesh.remarks.iter().filter(is_told);
+                remarks
+                    .for_each(|text| self.remarks.add(NoteText::from("of meshes: ").followed(text), shape));
                 let own = transforms::of(shape, "to_world")?;
                 let has_normals = mesh.has_normals && !is_flat;
                 let is_lost = placed::is_mirror(&own) && !has_normals;

@@ -2,15 +2,17 @@
 
 use std::collections::HashMap;
 use std::num::NonZeroU32;
+use std::ops::Range;
 
 use glam::DVec3;
+use radiosity_geom::area_vector;
 use radiosity_photometry::error::{Refusal, refuse};
 use radiosity_photometry::file_place::FilePlace;
 use radiosity_photometry::note::Note;
 use radiosity_photometry::text::{number, short};
 
 use super::statements::split;
-use crate::mesh::{Coat, Mesh};
+use crate::mesh::{Coat, Mesh, SMOOTHED, is_bent};
 use crate::model::Sides;
 use crate::tolerances::MOST_VERTICES;
 
@@ -27,7 +29,37 @@ struct Face {
     start: usize,
     object: usize,
     material: Option<usize>,
+    smoothing: Option<Smoothing>,
     line: usize,
+}
+
+/// A smoothing group by its number among them, and the line in which faces are put into it.
+#[derive(Clone, Copy, Debug)]
+struct Smoothing {
+    group: usize,
+    line: usize,
+}
+
+/// The normals of the first faces at the corners of smoothing groups.
+#[derive(Debug, Default)]
+struct SmoothCorners {
+    first: HashMap<(usize, usize), DVec3>,
+    /// Whether faces of a group are known to meet at an angle.
+    is_told: bool,
+}
+
+impl SmoothCorners {
+    /// Whether a face of a group meets another one of it at an angle, for the first time.
+    fn bend(&mut self, group: usize, corners: impl Iterator<Item = usize>, normal: DVec3) -> bool {
+        if self.is_told {
+            return false;
+        }
+        for corner in corners {
+            let first = *self.first.entry((group, corner)).or_insert(normal);
+            self.is_told |= is_bent(first, normal);
+        }
+        self.is_told
+    }
 }
 
 /// Vertices, faces, objects and materials of the statements read so far.
@@ -50,9 +82,9 @@ pub(super) struct Faces {
     normals: Vec<DVec3>,
     /// The numbers of the normals at the corners of all faces, from 1 on.
     corner_normals: Vec<Option<NonZeroU32>>,
-    /// Line of the smoothing group that faces are in; that of the first one that has any.
-    smoothing: Option<usize>,
-    smoothed: Option<usize>,
+    /// Smoothing groups by name; the one that faces are put into.
+    smoothing_numbers: Names,
+    smoothing: Option<Smoothing>,
     notes: Vec<Note>,
 }
 
@@ -95,8 +127,11 @@ impl Faces {
             "call" | "csh" => self.note("calls of other files and commands are left out", line),
             "vn" => self.normals.push(normal(rest)),
             "s" => {
-                let is_off = ["", "0", "off"].contains(&rest.to_ascii_lowercase().as_str());
-                self.smoothing = (!is_off).then_some(line);
+                let name = rest.to_ascii_lowercase();
+                let is_off = ["", "0", "off"].contains(&name.as_str());
+                let next = self.smoothing_numbers.len();
+                self.smoothing = (!is_off)
+                    .then(|| Smoothing { group: *self.smoothing_numbers.entry(name).or_insert(next), line });
             }
             "usemap" if !rest.eq_ignore_ascii_case("off") => self.note("textures are left out", line),
             "shadow_obj" | "trace_obj" => {
@@ -150,8 +185,7 @@ impl Faces {
             None => *self.objects.entry(self.object.clone()).or_insert(next),
         };
         let material = self.material_number();
-        self.smoothed = self.smoothed.or(self.smoothing);
-        self.faces.push(Face { start, object, material, line });
+        self.faces.push(Face { start, object, material, smoothing: self.smoothing, line });
         Ok(())
     }
 
@@ -206,12 +240,10 @@ impl Faces {
     pub(super) fn add_to(&self, mesh: &mut Mesh) -> Result<(), Refusal> {
         mesh.has_normals = !self.normals.is_empty();
         mesh.model.notes.extend_from_slice(&self.notes);
-        if let Some(line) = self.smoothed.filter(|_| !mesh.has_normals) {
-            mesh.model.note("smoothing groups are left out: faces are flat", Some(FilePlace::Line(line)));
-        }
         let mut names: Vec<(&String, &usize)> = self.objects.iter().collect();
         names.sort_by_key(|(_, number)| **number);
         let objects: Vec<usize> = names.iter().map(|(name, _)| mesh.object(Some(name))).collect();
+        let mut smooth = SmoothCorners::default();
         let ends = self.faces.iter().skip(1).map(|face| face.start).chain([self.corners.len()]);
         for (face, end) in self.faces.iter().zip(ends) {
             let place = FilePlace::Line(face.line);
@@ -219,11 +251,30 @@ impl Faces {
                 self.corners[face.start..end].iter().map(|corner| self.point(*corner)).collect();
             let coat = Coat { object: objects[face.object], material: face.material, sides: Sides::Open };
             let corners = corners.map_err(|fault| fault.at(place))?;
+            if let Some(line) = self.bent_line(face, face.start..end, &corners, &mut smooth) {
+                mesh.model.note(SMOOTHED, Some(FilePlace::Line(line)));
+            }
             let normals = self.corner_normals[face.start..end].iter().flatten();
             mesh.note_rounding(&corners, normals.filter_map(|number| self.normal(*number)), place);
             mesh.face(corners, coat, place).map_err(|fault| fault.at(place))?;
         }
         Ok(())
+    }
+
+    /// The line of the smoothing group of a face, if it meets another face of it at an angle where neither states
+    /// a normal.
+    fn bent_line(
+        &self,
+        face: &Face,
+        range: Range<usize>,
+        corners: &[DVec3],
+        smooth: &mut SmoothCorners,
+    ) -> Option<usize> {
+        let Smoothing { group, line } = face.smoothing?;
+        let normal = area_vector(corners).try_normalize()?;
+        let is_bare = |at: &usize| self.corner_normals[*at].is_none();
+        let vertices = range.filter(is_bare).map(|at| self.corners[at]);
+        smooth.bend(group, vertices, normal).then_some(line)
     }
 
     fn normal(&self, number: NonZeroU32) -> Option<DVec3> {

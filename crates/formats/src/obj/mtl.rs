@@ -5,6 +5,7 @@ use std::collections::hash_map::Entry;
 
 use radiosity_photometry::error::{Refusal, refuse, refuse_at};
 use radiosity_photometry::file_place::FilePlace;
+use radiosity_photometry::note_text::NoteText;
 use radiosity_photometry::text::{number, short};
 
 use super::statements::{split, statements};
@@ -25,7 +26,13 @@ pub(super) struct Mtl {
     /// The first colour that is none, which counts where the material is used.
     pub(super) fault: Option<Refusal>,
     /// Remarks on properties that are left out, each kind once.
-    pub(super) left_out: Vec<String>,
+    pub(super) left_out: Vec<NoteText>,
+    /// `Ks`, and whether `illum` makes a mirror of it.
+    specular: Option<[f64; 3]>,
+    is_mirror: bool,
+    /// `Pc`, and whether a roughness of such a coat is stated.
+    coat: Option<f64>,
+    has_rough_coat: bool,
 }
 
 /// Adds the materials of a text, that of `file`, to those that are known.
@@ -55,17 +62,17 @@ pub(super) fn read(text: &str, file: &str, known: &mut HashMap<String, Mtl>) -> 
 
 /// Adds a material, if none of its name is known.
 fn add(mtl: Option<(String, Mtl)>, known: &mut HashMap<String, Mtl>) {
-    let Some((name, mtl)) = mtl else { return };
+    let Some((name, mut mtl)) = mtl else { return };
+    mtl.settle();
     match known.entry(name) {
         Entry::Vacant(entry) => drop(entry.insert(mtl)),
         Entry::Occupied(mut entry) => {
-            let again = format!(
-                "the material '{}' is described again with other values: the first ones are taken",
-                short(entry.key())
-            );
+            let again = NoteText::from("the material ")
+                .quoting(format!("'{}'", short(entry.key())))
+                .then(" is described again with other values: the first ones are taken");
             let first = entry.get_mut();
             if [first.reflectance(), first.radiance()] != [mtl.reflectance(), mtl.radiance()] {
-                first.leave_out(&again);
+                first.leave_out(again);
             }
         }
     }
@@ -92,11 +99,20 @@ impl Mtl {
             "ka" if colour(rest, "Ka").is_ok_and(|colour| colour.iter().any(|value| *value > 1.0)) => {
                 self.leave_out(AMBIENT);
             }
-            "ks" if colour(rest, "Ks").is_ok_and(|colour| colour != [0.0; 3]) => self.leave_out(SPECULAR),
+            "ks" => self.specular = colour(rest, "Ks").ok(),
+            // Mirrors by rays or by a map; then glass and refraction.
+            "illum" if ["3", "5", "8"].contains(&rest) => self.is_mirror = true,
+            "illum" if ["4", "6", "7", "9"].contains(&rest) => self.leave_out(TRANSPARENCY),
+            // All of the light or nothing is what programs write for opaque materials.
+            "tf" if colour(rest, "Tf").is_ok_and(|colour| ![[0.0; 3], [1.0; 3]].contains(&colour)) => {
+                self.leave_out(TRANSPARENCY);
+            }
             "d" if last(rest).is_some_and(|d| d < 1.0) => self.leave_out(TRANSPARENCY),
             // Programs write 0 for opaque, as transparency, or 1, as its opposite.
             "tr" if last(rest).is_some_and(|tr| tr > 0.0 && tr < 1.0) => self.leave_out(TRANSPARENCY),
-            "pm" | "pc" | "ps" if last(rest).is_some_and(|share| share > 0.0) => self.leave_out(SPECULAR),
+            "pc" => self.coat = last(rest),
+            "pcr" => self.has_rough_coat = last(rest).is_some_and(|share| share > 0.0),
+            "pm" | "ps" | "aniso" if last(rest).is_some_and(|share| share != 0.0) => self.leave_out(SPECULAR),
             "map_kd" => self.leave_out(TEXTURED),
             "map_ke" => self.leave_out(TEXTURED_EMISSION),
             "bump" | "disp" | "decal" | "refl" | "norm" => self.leave_out(TEXTURES),
@@ -106,13 +122,23 @@ impl Mtl {
         Ok(())
     }
 
-    fn has(&self, what: &str) -> bool {
-        self.left_out.iter().any(|own| own == what)
+    /// Takes what several statements say together: a mirror of which no part reflects is none, nor is a coat.
+    fn settle(&mut self) {
+        let reflects = self.specular.map_or(self.is_mirror, |colour| colour != [0.0; 3]);
+        let is_coated = self.coat.map_or(self.has_rough_coat, |share| share > 0.0);
+        if reflects || is_coated {
+            self.leave_out(SPECULAR);
+        }
     }
 
-    fn leave_out(&mut self, what: &str) {
-        if !self.has(what) {
-            self.left_out.push(what.to_owned());
+    fn has(&self, what: &str) -> bool {
+        self.left_out.iter().any(|own| own.as_str() == what)
+    }
+
+    fn leave_out(&mut self, what: impl Into<NoteText>) {
+        let what = what.into();
+        if !self.has(&what) {
+            self.left_out.push(what);
         }
     }
 }

@@ -43,6 +43,9 @@ impl Elements {
         numbers: &mut dyn Numbers,
         mesh: &mut Mesh,
     ) -> Result<(), Refusal> {
+        if let Some(line) = header.texture {
+            mesh.model.note("textures are left out", Some(FilePlace::Line(line)));
+        }
         for element in &header.elements {
             note(element, &mut mesh.model);
             if element.properties.is_empty() {
@@ -239,6 +242,10 @@ fn note(element: &Element, model: &mut Model) {
     let is_colour = |property: &Property| property.name.ends_with("red") || property.name == "r";
     if element.count > 0 && element.properties.iter().any(is_colour) {
         model.note("colours are left out", place);
+    }
+    let is_material = |property: &Property| property.name == "material_index";
+    if element.count > 0 && element.properties.iter().any(is_material) {
+        model.note("materials by number are left out", place);
     }
     let is_texture = |property: &Property| TEXTURES.contains(&property.name.as_str());
     if element.count > 0 && element.properties.iter().any(is_texture) {

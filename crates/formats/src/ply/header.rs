@@ -65,6 +65,8 @@ pub(super) struct Element {
 pub(super) struct Header {
     pub(super) encoding: Encoding,
     pub(super) elements: Vec<Element>,
+    /// The first line that names a file of a texture, as MeshLab and others write it into a comment.
+    pub(super) texture: Option<usize>,
     /// Byte of the file at which the elements begin.
     pub(super) body: usize,
     /// Number of lines of the header.
@@ -74,7 +76,7 @@ pub(super) struct Header {
 impl Header {
     /// The header that the bytes begin with.
     pub(super) fn of(bytes: &[u8]) -> Result<Header, Refusal> {
-        let (mut encoding, mut elements) = (None, Vec::new());
+        let (mut encoding, mut elements, mut texture) = (None, Vec::new(), None);
         let mut lines = Lines::of(bytes);
         let mut number = 0;
         while let Some(line) = lines.next() {
@@ -90,7 +92,10 @@ impl Header {
                         "add 'format ascii 1.0' below 'ply'",
                     );
                 };
-                return Ok(Header { encoding, elements, body: lines.at, lines: number });
+                return Ok(Header { encoding, elements, texture, body: lines.at, lines: number });
+            }
+            if matches!(words[..], ["comment" | "obj_info", "TextureFile", _, ..]) {
+                texture = texture.or(Some(number));
             }
             let read = match number {
                 1 => magic(&words),

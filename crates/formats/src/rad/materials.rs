@@ -91,7 +91,13 @@ impl Materials {
 fn coat(primitive: &Primitive) -> Result<Option<(Coat, Vec<&'static str>)>, Refusal> {
     let specular = "specular reflection is left out";
     let coat = match primitive.kind.as_str() {
-        "light" | "illum" | "glow" => return Ok(Some((lamp(primitive)?, Vec::new()))),
+        "light" | "illum" => return Ok(Some((lamp(primitive)?, Vec::new()))),
+        "glow" => {
+            // Manual, "Glow": 0 is none, and below 0 the surface lights nothing.
+            let is_limited = primitive.reals.get(3).is_some_and(|radius| *radius != 0.0);
+            let note = "the limit of how far glow shines (maxrad) is left out: it lights all that it faces";
+            return Ok(Some((lamp(primitive)?, is_limited.then_some(note).into_iter().collect())));
+        }
         "spotlight" => {
             return Ok(Some((lamp(primitive)?, vec!["spotlights shine in all directions of their front"])));
         }

@@ -103,7 +103,7 @@ impl<'a> Reader<'a> {
         let coat = match self.materials.get(frame.modifier.as_deref().unwrap_or(modifier))? {
             Meaning::Coat(coat) => coat.clone(),
             Meaning::Absent(note) => {
-                self.model.note(note, line);
+                self.model.note(*note, line);
                 return Ok(());
             }
         };
@@ -137,8 +137,10 @@ impl<'a> Reader<'a> {
         let beside = self.includes.beside(name);
         let path = if self.includes.has(name) { name } else { &beside };
         let text = self.includes.enter(path)?;
+        self.model.stand_in(self.includes.included());
         self.read(&text, frame)?;
         self.includes.leave();
+        self.model.stand_in(self.includes.included());
         Ok(())
     }
 }

@@ -75,7 +75,7 @@ impl Copies {
             self.gone[gone] = true;
             format!("{pair} coincide; {:?} was removed", model.surfaces[gone].name)
         };
-        self.repairs.say(RepairKind::Coincident, names, one.place, text);
+        self.repairs.say(RepairKind::Coincident, names, Some(one), text);
     }
 
     /// Makes the changes and tells them.

@@ -32,7 +32,8 @@ pub(super) fn mend(model: &mut Model, repairs: &mut Repairs) {
     let mut say = |[sheet, on]: [usize; 2], what: &str| {
         let [surface, other] = [sheet, on].map(|index| &model.surfaces[sheets.list[index].surface]);
         let text = format!("{:?} lies on {:?}{what}", surface.name, other.name);
-        repairs.say(RepairKind::Overlap, vec![surface.name.clone(), other.name.clone()], surface.place, text);
+        let names = vec![surface.name.clone(), other.name.clone()];
+        repairs.say(RepairKind::Overlap, names, Some(surface), text);
     };
     for (sheet, on) in &hidden {
         say([*sheet, *on], " face down; it was removed");
@@ -133,14 +134,14 @@ mod tests {
 
     fn disk(name: &str, radius: f64, up: f64) -> Surface {
         let shape = Shape::Disk { center: DVec3::ZERO, normal: up * DVec3::Z, radius, inner: 0.0 };
-        Surface { name: name.into(), material: None, shape, sides: Sides::Front, place: None }
+        Surface { name: name.into(), material: None, shape, sides: Sides::Front, file: None, place: None }
     }
 
     fn floor() -> Surface {
         let corner = |x: f64, y: f64| DVec3::new(x, y, 0.0);
         let outline = vec![corner(-2.0, -2.0), corner(2.0, -2.0), corner(2.0, 2.0), corner(-2.0, 2.0)];
         let shape = Shape::Polygon { outline, holes: Vec::new() };
-        Surface { name: "floor".into(), material: None, shape, sides: Sides::Front, place: None }
+        Surface { name: "floor".into(), material: None, shape, sides: Sides::Front, file: None, place: None }
     }
 
     fn mended(surfaces: Vec<Surface>) -> (Vec<Surface>, Vec<String>) {

@@ -68,8 +68,8 @@ impl Edit {
             }
             if let Some(Told { others, text }) = told {
                 let (kind, text) = text(&surface.name, &names);
-                let surfaces = std::iter::once(surface.name).chain(others).collect();
-                repairs.say(kind, surfaces, surface.place, text);
+                let surfaces = std::iter::once(surface.name.clone()).chain(others).collect();
+                repairs.say(kind, surfaces, Some(&surface), text);
             }
         }
         model.surfaces = kept;

@@ -33,7 +33,7 @@ pub(super) fn mend(model: &mut Model, repairs: &mut Repairs) {
             steps.push(steps[under] + RAISED);
             let names = [*index, line[under].0].map(|surface| model.surfaces[surface].name.clone());
             let text = format!("{:?} lies partly in {:?}; it was raised slightly", names[0], names[1]);
-            repairs.say(RepairKind::Overlap, names.to_vec(), model.surfaces[*index].place, text);
+            repairs.say(RepairKind::Overlap, names.to_vec(), Some(&model.surfaces[*index]), text);
             raise(&mut model.surfaces[*index].shape, steps[own]);
         }
     }

@@ -91,6 +91,7 @@ mod tests {
                 material: None,
                 shape: Shape::Polygon { outline, holes },
                 sides: Sides::Front,
+                file: None,
                 place: None,
             }],
             ..Model::default()

@@ -81,6 +81,7 @@ mod tests {
             material: None,
             shape: Shape::Polygon { outline, holes },
             sides: Sides::Front,
+            file: None,
             place: None,
         };
         let mut model = Model { surfaces: vec![surface], ..Model::default() };

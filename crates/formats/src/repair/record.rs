@@ -1,6 +1,10 @@
 //! Record of repairs: one entry, one line, for each repair.
 
+use std::sync::Arc;
+
 use radiosity_photometry::file_place::FilePlace;
+
+use crate::model::Surface;
 
 /// Most names that a line spells out; the rest are counted, so that the record of a repair stays a line.
 const SPELT: usize = 4;
@@ -37,6 +41,8 @@ pub struct Repair {
     pub surfaces: Vec<String>,
     /// The fault and its repair, without a full stop: `"desk-3" and "desk-7" coincide; "desk-7" was removed`.
     pub text: String,
+    /// The included file of the first of the surfaces; none for the file that was read.
+    pub file: Option<Arc<str>>,
     /// Place in the file of the first of the surfaces.
     pub place: Option<FilePlace>,
 }
@@ -63,10 +69,11 @@ impl Repairs {
         &mut self,
         kind: RepairKind,
         surfaces: Vec<String>,
-        place: Option<FilePlace>,
+        at: Option<&Surface>,
         text: impl Into<String>,
     ) {
-        self.list.push(Repair { kind, surfaces, text: text.into(), place });
+        let (file, place) = at.map_or((None, None), |surface| (surface.file.clone(), surface.place));
+        self.list.push(Repair { kind, surfaces, text: text.into(), file, place });
     }
 }
 

@@ -31,10 +31,9 @@ pub(super) fn mend(model: &mut Model, repairs: &mut Repairs) {
         }
         if !parts.is_empty() {
             let users = users.get(&index).map_or(&[][..], Vec::as_slice);
-            let place = users.first().and_then(|surface| surface.place);
             let names = users.iter().map(|surface| surface.name.clone()).collect();
             let text = format!("reflectance of material {:?}: {}", material.name, parts.join(", "));
-            repairs.say(RepairKind::Reflectance, names, place, text);
+            repairs.say(RepairKind::Reflectance, names, users.first().copied(), text);
         }
     }
 }

@@ -19,7 +19,7 @@ pub(super) fn remove(model: &mut Model, repairs: &mut Repairs) {
     {
         edit.replace(index, Vec::new());
         let text = format!("{:?} has no area; it was removed", surface.name);
-        repairs.say(RepairKind::Sliver, vec![surface.name.clone()], surface.place, text);
+        repairs.say(RepairKind::Sliver, vec![surface.name.clone()], Some(surface), text);
     }
     edit.apply(model, repairs);
 }

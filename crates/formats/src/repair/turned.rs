@@ -9,7 +9,6 @@ pub(super) fn mend(model: &mut Model, fixes: bool, repairs: &mut Repairs) {
     for found in turned(model) {
         let names: Vec<String> =
             found.surfaces.iter().map(|surface| model.surfaces[*surface].name.clone()).collect();
-        let place = found.surfaces.first().and_then(|surface| model.surfaces[*surface].place);
         let count = names.len();
         let [show, were] =
             if count == 1 { ["shows its front", "it was"] } else { ["show their fronts", "they were"] };
@@ -25,11 +24,15 @@ pub(super) fn mend(model: &mut Model, fixes: bool, repairs: &mut Repairs) {
             TurnReason::Inwards => format!("{} enclose nothing and {show} inwards", spelt(&names)),
             TurnReason::Outwards => format!("{} enclose everything and {show} outwards", spelt(&names)),
         };
-        if fixes && found.why != TurnReason::Halves {
+        let is_fixed = fixes && found.why != TurnReason::Halves;
+        let (kind, done) = match is_fixed {
+            true => (RepairKind::Fronts, "turned over"),
+            false => (RepairKind::DoubtfulFronts, "left so"),
+        };
+        let first = found.surfaces.first().map(|surface| &model.surfaces[*surface]);
+        repairs.say(kind, names, first, format!("{what}; {were} {done}"));
+        if is_fixed {
             found.surfaces.iter().for_each(|surface| model.surfaces[*surface].shape.turn_over());
-            repairs.say(RepairKind::Fronts, names, place, format!("{what}; {were} turned over"));
-        } else {
-            repairs.say(RepairKind::DoubtfulFronts, names, place, format!("{what}; {were} left so"));
         }
     }
 }

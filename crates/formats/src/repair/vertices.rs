@@ -21,7 +21,7 @@ pub(super) fn mend(model: &mut Model, asked: Option<f64>, repairs: &mut Repairs)
         holes.retain(|hole| hole.len() > 2);
         if found.is_some() {
             let text = format!("{:?} has {}, taken out", surface.name, found.text());
-            repairs.say(RepairKind::Vertices, vec![surface.name.clone()], surface.place, text);
+            repairs.say(RepairKind::Vertices, vec![surface.name.clone()], Some(surface), text);
         }
     }
 }

@@ -57,7 +57,7 @@ pub(super) struct Input {
     /// Line of the first coordinate transformation, which View3D skips.
     pub(super) transformation: Option<usize>,
     /// Line of the first `I`, which the program knows and its manual does not.
-    pub(super) unknown: Option<usize>,
+    pub(super) undocumented: Option<usize>,
 }
 
 /// A line in words.
@@ -123,7 +123,7 @@ impl Input {
                     input.surfaces.push(surface.map_err(placed)?);
                 }
                 Some('X') => input.transformation = input.transformation.or(Some(at)),
-                Some('I') => input.unknown = input.unknown.or(Some(at)),
+                Some('I') => input.undocumented = input.undocumented.or(Some(at)),
                 _ => return Err(placed(unknown(letter))),
             }
         }

@@ -21,7 +21,8 @@ const PLY: &str = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\npr
 
 const OBJ: &str = "mtllib a.mtl\nusemtl a\ns off\nusemap off\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nvn 0 0 2\nf 1//1 2/9/2 3//-1\n";
 
-const FLAT: &str = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+/// A flat plate of two smooth faces, whose parts are not merged.
+const PLATE: &str = "s 1\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\no a\nf 1 2 3\no b\nf 1 3 4\n";
 
 const GLTF: &str = r#"{"asset": {"version": "2.0"}, "extensionsUsed": ["KHR_texture_transform"], "scenes": [{"nodes": [0]}],
 "nodes": [{"mesh": 0}], "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "NORMAL": 1}, "material": 0}]}],
@@ -34,15 +35,25 @@ const GLTF: &str = r#"{"asset": {"version": "2.0"}, "extensionsUsed": ["KHR_text
 const MITSUBA: &str = "<scene version=\"3.0.0\"><medium type=\"homogeneous\" id=\"fog\"/><bsdf type=\"diffuse\" id=\"b\"/>\
                        <shape type=\"disk\"><ref id=\"b\"/></shape></scene>";
 
-const MGF: &str = "v a =\nv b =\n p 1 0 0\nv c =\n p 0 1 0\nc grey =\nm w =\n rd .5\nf a b c\n";
+const FAULTY: &str = "faulty colours and materials that no surface has are left out";
 
-const RAD: &str = "void plastic w 0 0 5 .5 .5 .5 0 0\nw sphere s 0 0 4 0 0 0 1\n";
+const MGF: &str = "v a =\n n 0 0 2\nv b =\n p 1 0 0\nv c =\n p 0 1 0\nc grey =\nm w =\n rd .5\nf a b c\n";
+
+const RAD: &str = "void glow g 0 0 4 1 1 1 0\nvoid plastic w 0 0 5 .5 .5 .5 0 0\nw sphere s 0 0 4 0 0 0 1\n";
 
 const VS3: &str = "F 3\nV 1 0 0 0\nV 2 1 0 0\nV 3 0 1 0\nS 1 1 2 3 0 0 0 0.9 a\nE\n";
 
 const STL: &str = "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid a\n";
 
+/// A scene with a mesh whose faces stand for themselves.
+const MESHED: &str = "<scene version=\"3.0.0\"><shape type=\"obj\"><string name=\"filename\" value=\"bent.obj\"/>\
+                      <boolean name=\"face_normals\" value=\"true\"/></shape></scene>";
+
 const ROUNDED: &str = "normals of vertices are left out: faces are flat";
+const OPPOSED: &str = "normals of vertices that point to the back of their face are left out: the order of corners tells the front";
+const SMOOTHED: &str = "smoothing groups are left out: faces are flat";
+const SPECULAR: &str = "specular reflection is left out";
+const TRANSPARENCY: &str = "transparency is left out";
 
 const LEFT_OUT: &[LeftOut] = &[
     LeftOut { format: Format::Ply, text: PLY, part: "0 0 0 0 0 1", more: "0 0 0 0 1 1", note: ROUNDED },
@@ -63,10 +74,31 @@ const LEFT_OUT: &[LeftOut] = &[
     LeftOut { format: Format::Obj, text: OBJ, part: "vn 0 0 2", more: "vn 0 1 2", note: ROUNDED },
     LeftOut {
         format: Format::Obj,
-        text: FLAT,
-        part: "f 1",
-        more: "s 1\nf 1",
-        note: "smoothing groups are left out: faces are flat",
+        text: OBJ,
+        part: "vn 0 0 1\nvn 0 0 2",
+        more: "vn 0 0 -1\nvn 0 0 -2",
+        note: OPPOSED,
+    },
+    LeftOut { format: Format::Obj, text: PLATE, part: "v 0 1 0", more: "v 0 1 1", note: SMOOTHED },
+    LeftOut { format: Format::Obj, text: PLATE, part: "v 0 1 0", more: "v 0 1 1\nvn 0 0 1", note: SMOOTHED },
+    LeftOut { format: Format::Obj, text: OBJ, part: "a.mtl", more: "filter.mtl", note: TRANSPARENCY },
+    LeftOut { format: Format::Obj, text: OBJ, part: "a.mtl", more: "glass.mtl", note: TRANSPARENCY },
+    LeftOut { format: Format::Obj, text: OBJ, part: "a.mtl", more: "mirror.mtl", note: SPECULAR },
+    LeftOut { format: Format::Obj, text: OBJ, part: "a.mtl", more: "rough.mtl", note: SPECULAR },
+    LeftOut { format: Format::Obj, text: OBJ, part: "a.mtl", more: "brushed.mtl", note: SPECULAR },
+    LeftOut {
+        format: Format::Ply,
+        text: PLY,
+        part: "property float nx\n",
+        more: "property float material_index\n",
+        note: "materials by number are left out",
+    },
+    LeftOut {
+        format: Format::Ply,
+        text: PLY,
+        part: "element vertex",
+        more: "comment TextureFile wood.png\nelement vertex",
+        note: "textures are left out",
     },
     LeftOut {
         format: Format::Obj,
@@ -96,7 +128,7 @@ const LEFT_OUT: &[LeftOut] = &[
         text: OBJ,
         part: "a.mtl",
         more: "b.mtl",
-        note: "the material 'unused' is left out: it has a colour that is none, and no face has it",
+        note: "the material 'unused', which no face has, is left out: one of its colours cannot be followed",
     },
     LeftOut {
         format: Format::Obj,
@@ -111,6 +143,20 @@ const LEFT_OUT: &[LeftOut] = &[
         part: "KHR_texture_transform",
         more: "KHR_materials_unlit",
         note: "the extension KHR_materials_unlit is left out",
+    },
+    LeftOut {
+        format: Format::Gltf,
+        text: GLTF,
+        part: "\"metallicFactor\": 0}",
+        more: "\"metallicFactor\": 1}, \"extensions\": {\"KHR_materials_specular\": {}, \"KHR_materials_ior\": {\"ior\": 1.4}}",
+        note: SPECULAR,
+    },
+    LeftOut {
+        format: Format::Gltf,
+        text: GLTF,
+        part: "{\"mesh\": 0}",
+        more: "{\"mesh\": 0, \"extensions\": {\"EXT_lights_ies\": {\"light\": 0}}}",
+        note: "the extension EXT_lights_ies is left out",
     },
     LeftOut {
         format: Format::Gltf,
@@ -156,12 +202,35 @@ const LEFT_OUT: &[LeftOut] = &[
         note: "'interior' of <shape type=\"disk\"> is left out",
     },
     LeftOut {
+        format: Format::Mitsuba,
+        text: MITSUBA,
+        part: "<shape",
+        more: "<sensor type=\"perspective\"><ref id=\"fog\"/></sensor><shape",
+        note: "the medium around the camera is left out",
+    },
+    LeftOut {
+        format: Format::Mitsuba,
+        text: MESHED,
+        part: "true",
+        more: "false",
+        note: "of meshes: smoothing groups are left out: faces are flat",
+    },
+    LeftOut {
         format: Format::Mgf,
         text: MGF,
         part: "c grey =\n",
         more: "c grey =\n cxy .9 .9\nc\n",
-        note: "colours that are none, and that nothing has, are left out",
+        note: FAULTY,
     },
+    LeftOut {
+        format: Format::Mgf,
+        text: MGF,
+        part: "c grey =\n",
+        more: "c grey =\n cxy .9 .9\nc mixed =\n cmix 1 grey 1 grey\nm dull =\n rd .5\nc\n",
+        note: FAULTY,
+    },
+    LeftOut { format: Format::Mgf, text: MGF, part: "m w =\n", more: "m u =\n rd -1\nm w =\n", note: FAULTY },
+    LeftOut { format: Format::Mgf, text: MGF, part: "n 0 0 2", more: "n 0 1 2", note: ROUNDED },
     LeftOut {
         format: Format::Mgf,
         text: MGF,
@@ -182,6 +251,13 @@ const LEFT_OUT: &[LeftOut] = &[
         part: "w sphere",
         more: "void source sun 0 0 4 0 0 1 1\nw sphere",
         note: "light from afar (source) is left out",
+    },
+    LeftOut {
+        format: Format::Rad,
+        text: RAD,
+        part: "1 1 1 0\n",
+        more: "1 1 1 5\n",
+        note: "the limit of how far glow shines (maxrad) is left out: it lights all that it faces",
     },
     LeftOut {
         format: Format::Rad,
@@ -213,7 +289,7 @@ const LEFT_OUT: &[LeftOut] = &[
     },
 ];
 
-/// The notes of a text, but that its fog has no place.
+/// The notes of a text, each of which stands for one thing.
 fn noted(format: Format, text: &str) -> Vec<String> {
     let numbers =
         |rows: [[f32; 3]; 3]| rows.into_iter().flatten().flat_map(f32::to_le_bytes).collect::<Vec<u8>>();
@@ -222,14 +298,23 @@ fn noted(format: Format, text: &str) -> Vec<String> {
     let unused = "newmtl a\nKd .5\nnewmtl unused\nKd 1 1 -1\n";
     let files = Memory::of([
         ("triangle.bin", [corners, normals].concat()),
-        ("a.mtl", b"newmtl a\nKd .5\nPc 0\n".to_vec()),
+        (
+            "a.mtl",
+            b"newmtl a\nKd .5\nKs 0 0 0\nillum 3\nTf 1 1 1\nPc 0\nPcr .03\naniso 0\nanisor 1\n".to_vec(),
+        ),
+        ("filter.mtl", b"newmtl a\nKd .5\nTf .5 .5 .5\n".to_vec()),
+        ("glass.mtl", b"newmtl a\nKd .5\nillum 7\n".to_vec()),
+        ("mirror.mtl", b"newmtl a\nKd .5\nillum 3\n".to_vec()),
+        ("rough.mtl", b"newmtl a\nKd .5\nPcr .03\n".to_vec()),
+        ("brushed.mtl", b"newmtl a\nKd .5\naniso .5\n".to_vec()),
+        ("bent.obj", PLATE.replace("v 0 1 0", "v 0 1 1").into_bytes()),
         ("b.mtl", unused.as_bytes().to_vec()),
         ("c.mtl", b"newmtl a\nKd .5\nPc 1\n".to_vec()),
     ]);
     let model =
         read(format, "a", text.as_bytes(), &files).unwrap_or_else(|refusal| panic!("{refusal}\n{text}"));
-    let own = notes(&model).into_iter().map(str::to_owned);
-    own.filter(|note| note != "<medium> in <scene> is left out").collect()
+    assert!(model.notes.iter().all(|note| note.count == 1), "{:?}", model.notes);
+    notes(&model).into_iter().map(str::to_owned).collect()
 }
 
 #[test]
@@ -249,5 +334,39 @@ fn colours_that_are_none_are_refused_where_they_are_used() {
     assert!(refusal.is_err_and(|refusal| refusal.to_string() == "b.mtl:2: Kd is -1, below 0"));
     let used = MGF.replace("c grey =\n", "c grey =\n cxy .9 .9\n");
     let refusal = read(Format::Mgf, "a.mgf", used.as_bytes(), &files);
-    assert!(refusal.is_err_and(|refusal| refusal.to_string().starts_with("a.mgf:7: no colour has")));
+    assert!(refusal.is_err_and(|refusal| refusal.to_string().starts_with("a.mgf:8: no colour has")));
+    let mixed = MGF.replace("c grey =\n", "c grey =\n cxy .9 .9\nc mixed =\n cmix 1 grey\n");
+    let refusal = read(Format::Mgf, "a.mgf", mixed.as_bytes(), &files);
+    assert!(refusal.is_err_and(|refusal| refusal.to_string().starts_with("a.mgf:8: no colour has")));
+    let dark = MGF.replace(" rd .5", " rd -1");
+    let refusal = read(Format::Mgf, "a.mgf", dark.as_bytes(), &files);
+    assert!(refusal.is_err_and(|refusal| refusal.to_string() == "a.mgf:9: rd is -1, below 0"));
+}
+
+/// Notes name the file in which their lines are, and so do surfaces.
+#[test]
+fn notes_have_the_file_of_their_line() {
+    let scenes = [
+        (Format::Mgf, "i b.mgf\nies lamp.ies\n", "b.mgf", format!("{MGF}rs .5 0\n")),
+        (
+            Format::Rad,
+            "!xform b.rad\nvoid source sun 0 0 4 0 0 1 1\n",
+            "b.rad",
+            format!("{RAD}void mist m 0 0 0\nm sphere t 0 0 4 9 0 0 1\n"),
+        ),
+        (
+            Format::Mitsuba,
+            "<scene version=\"3.0.0\"><include filename=\"b.xml\"/><thing/></scene>",
+            "b.xml",
+            "<shape type=\"disk\" odd=\"1\"/>".to_owned(),
+        ),
+    ];
+    for (format, text, name, included) in scenes {
+        let model = read(format, "a", text.as_bytes(), &Memory::of([(name, included.into_bytes())]));
+        let model = model.unwrap_or_else(|refusal| panic!("{refusal}"));
+        let files: Vec<Option<&str>> = model.notes.iter().map(|note| note.file.as_deref()).collect();
+        assert!(files.len() == 2 && files.contains(&Some(name)), "{:?}", model.notes);
+        assert!(files.iter().any(|file| file.is_none_or(|file| file == "a")), "{:?}", model.notes);
+        assert_eq!(model.surfaces[0].file.as_deref(), Some(name));
+    }
 }

@@ -14,6 +14,7 @@ fn surface(name: &str, shape: Shape) -> Surface {
         material: Some(0),
         shape,
         sides: Sides::Front,
+        file: None,
         place: Some(FilePlace::Line(1)),
     }
 }

@@ -2,6 +2,7 @@
 
 use crate::error::Refusal;
 use crate::note::Note;
+use crate::note_text::NoteText;
 
 use crate::numbers::Numbers;
 
@@ -27,7 +28,7 @@ pub(super) fn first(numbers: &mut Numbers, notes: &mut Vec<Note>) -> Result<Lamp
     }
     if count > 1 {
         let text = format!("of {count} sets of lamps the first is taken, with {} lm", first.flux);
-        Note::add(notes, text, Some(numbers.place()));
+        Note::add(notes, NoteText::own(text), Some(numbers.place()));
     }
     Ok(first)
 }

@@ -4,8 +4,8 @@ use super::super::Typed;
 
 pub(super) const ROWS: &[Typed] = &[
     Typed {
-        bad: "view-factors room.toml --pairs room-left,room-top -o f.npy",
-        cured: "view-factors room.toml --pairs room-left,room-top -o f.csv",
+        bad: "view-factors room.toml --pairs room-bottom,room-top -o f.npy",
+        cured: "view-factors room.toml --pairs room-bottom,room-top -o f.csv",
         told: &["--pairs are no matrix", "help: choose --format csv or json"],
     },
     Typed {
@@ -19,8 +19,8 @@ pub(super) const ROWS: &[Typed] = &[
         told: &["--sparse csr: NPY has no place for it", "or choose a file ending in .npz"],
     },
     Typed {
-        bad: "view-factors room.toml --pairs room-left,room-tip",
-        cured: "view-factors room.toml --pairs room-left,room-top",
+        bad: "view-factors room.toml --pairs room-bottom,room-tip",
+        cured: "view-factors room.toml --pairs room-bottom,room-top",
         told: &[r#"unknown surface "room-tip""#, r#"help: did you mean "room-top"?"#],
     },
     Typed {

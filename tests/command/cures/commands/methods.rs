@@ -296,7 +296,7 @@ pub(super) const ROWS: &[Typed] = &[
     Typed {
         bad: "render room.toml --false-colour --band red -o p.png --size 8x8",
         cured: "render room.toml --false-colour --band grey -o p.png --size 8x8",
-        told: &["red", "help: bands of this scene: grey"],
+        told: &["red", "bands of this scene: grey"],
     },
     Typed {
         bad: "relight room.toml --set a=1 -o r.json",
@@ -309,8 +309,8 @@ pub(super) const ROWS: &[Typed] = &[
         told: &["convergence runs every order and chooses none", "help: leave out --accuracy"],
     },
     Typed {
-        bad: "view-factors room.toml --pairs room-left",
-        cured: "view-factors room.toml --pairs room-left,room-top",
+        bad: "view-factors room.toml --pairs room-bottom",
+        cured: "view-factors room.toml --pairs room-bottom,room-top",
         told: &["two names are needed", "help: write the names of two surfaces, as in --pairs floor,ceiling"],
     },
     Typed {
@@ -336,7 +336,7 @@ pub(super) const ROWS: &[Typed] = &[
     },
     Typed {
         bad: "audit warm.toml",
-        cured: "audit warm.toml --of heat --seconds 1",
+        cured: "audit warm.toml --of heat --seconds 0.1",
         told: &["nothing emits light, but temperatures or fluxes are given", "help: add --of heat"],
     },
     Typed {

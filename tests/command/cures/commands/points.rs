@@ -110,8 +110,8 @@ pub(super) const ROWS: &[Typed] = &[
         ],
     },
     Typed {
-        bad: "probe room.toml --points norm.csv --read basis",
-        cured: "probe room.toml --points right.csv --read basis",
+        bad: "probe cube.toml --points norm.csv --read basis",
+        cured: "probe cube.toml --points right.csv --read basis",
         told: &["the normal is not that of the surface under the point"],
     },
 ];

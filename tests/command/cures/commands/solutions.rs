@@ -23,7 +23,7 @@ pub(super) const ROWS: &[Typed] = &[
     },
     Typed {
         bad: "audit room.toml --audit 9",
-        cured: "audit moves.toml --seconds 1 --readings 2",
+        cured: "audit moves.toml --seconds 0.1 --readings 2",
         told: &["--audit says how long another verb is checked", "help: take --seconds instead"],
     },
     Typed {

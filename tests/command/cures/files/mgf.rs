@@ -130,8 +130,8 @@ sph z .1
     },
     Row {
         part: MORE,
-        bad: "rd -1\n",
-        cured: "rd 0\n",
+        bad: "rd -1\nf d e g\n",
+        cured: "rd 0\nf d e g\n",
         told: &["rd is -1, below 0", "help: write 0 or more"],
     },
     Row {
@@ -145,12 +145,14 @@ sph z .1
         bad: r"c x =
  cxy .9 .9
 m odd =
- rd .5
+ rd .1
+f d e g
 ",
         cured: r"c x =
  cxy .3 .3
 m odd =
- rd .5
+ rd .1
+f d e g
 ",
         told: &[
             "no colour has the chromaticity 0.9, 0.9",
@@ -162,12 +164,14 @@ m odd =
         bad: r"c x =
  cspec 400 700 1
 m odd =
- rd .5
+ rd .1
+f d e g
 ",
         cured: r"c x =
  cspec 400 700 1 1
 m odd =
- rd .5
+ rd .1
+f d e g
 ",
         told: &[
             "a spectrum has no range",
@@ -179,12 +183,14 @@ m odd =
         bad: r"c x =
  cspec 400 700 1 -1
 m odd =
- rd .5
+ rd .1
+f d e g
 ",
         cured: r"c x =
  cspec 400 700 1 0
 m odd =
- rd .5
+ rd .1
+f d e g
 ",
         told: &["a spectrum has a value below 0", "help: write 0 or more"],
     },
@@ -193,12 +199,14 @@ m odd =
         bad: r"c x =
  cspec 400 700 0 0
 m odd =
- rd .5
+ rd .1
+f d e g
 ",
         cured: r"c x =
  cspec 400 700 1 1
 m odd =
- rd .5
+ rd .1
+f d e g
 ",
         told: &[
             "a spectrum has no light that an eye sees",
@@ -210,12 +218,14 @@ m odd =
         bad: r"c x =
  cct 10
 m odd =
- rd .5
+ rd .1
+f d e g
 ",
         cured: r"c x =
  cct 1000
 m odd =
- rd .5
+ rd .1
+f d e g
 ",
         told: &["a black body of 10 K hardly glows", "help: write 1000 K or more"],
     },
@@ -224,12 +234,14 @@ m odd =
         bad: r"c x =
  cct 10
 m odd =
- rd .5
+ rd .1
+f d e g
 ",
         cured: r"c x =
  cxy .6 .35
 m odd =
- rd .5
+ rd .1
+f d e g
 ",
         told: &["a black body of 10 K hardly glows", "or a chromaticity by cxy"],
     },
@@ -251,13 +263,15 @@ c y =
 c y =
  cmix 0 x
 m odd =
- rd .5
+ rd .1
+f d e g
 ",
         cured: r"c x =
 c y =
  cmix 1 x
 m odd =
- rd .5
+ rd .1
+f d e g
 ",
         told: &["the weights of a mixture are not right", "help: write weights from 0, one above"],
     },

@@ -178,6 +178,7 @@ fn holes_backs_colours_and_names_are_written_in_the_words_of_view3d() {
         material: Some(0),
         shape: Shape::Polygon { outline: square(0.0, 3.0), holes },
         sides,
+        file: None,
         place: None,
     };
     let model = Model {

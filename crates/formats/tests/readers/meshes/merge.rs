@@ -18,6 +18,7 @@ fn model(faces: &[Vec<DVec3>]) -> Model {
         material: None,
         shape: Shape::Polygon { outline: outline.clone(), holes: Vec::new() },
         sides: Sides::Open,
+        file: None,
         place: None,
     };
     Model {

@@ -21,7 +21,7 @@ fn again(written: &Written) -> Model {
 
 fn polygon(name: &str, outline: Vec<DVec3>, holes: Vec<Vec<DVec3>>) -> Surface {
     let shape = Shape::Polygon { outline, holes };
-    Surface { name: name.to_owned(), material: None, shape, sides: Sides::Open, place: None }
+    Surface { name: name.to_owned(), material: None, shape, sides: Sides::Open, file: None, place: None }
 }
 
 fn rectangle(low: [f64; 2], high: [f64; 2]) -> Vec<DVec3> {

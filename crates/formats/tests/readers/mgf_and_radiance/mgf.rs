@@ -276,7 +276,6 @@ fn what_is_wrong_is_refused_with_a_cure() {
         ("p 1 2 x", "a number of p is 'x', which is no number", "write a number"),
         ("p 1 2 1e999", "is 1e999", "finite"),
         ("n 1 2", "n has 2 arguments, 3", "backslash"),
-        ("rd -1", "rd is -1, below 0", "0 or more"),
         ("sides 3", "3 sides", "sides 1 or sides 2"),
         ("cspec 400", "cspec has 1", "one line"),
         ("cmix 1", "lacks a colour", "weight before each"),
@@ -313,10 +312,12 @@ fn what_is_wrong_is_refused_with_a_cure() {
         ("cct 10", "hardly glows", "1000 K"),
     ];
     for (line, cause, cure) in colours {
-        assert_refused(read(&format!("{vertices}{line}\nrd .5\n")), "room.mgf", 9, [cause, cure]);
+        assert_refused(read(&format!("{vertices}{line}\nrd .5\nf a b c\n")), "room.mgf", 9, [cause, cure]);
         let unused = right(&format!("{vertices}c odd =\n{line}\nc\nrd .5\nf a b c\n"));
-        assert_eq!(notes(&unused), ["colours that are none, and that nothing has, are left out"]);
+        assert_eq!(notes(&unused), ["faulty colours and materials that no surface has are left out"]);
     }
+    let dark = read(&format!("{vertices}rd -1\nf a b c\n"));
+    assert_refused(dark, "room.mgf", 9, ["rd is -1, below 0", "0 or more"]);
     let binary = mgf::read("x.mgf", b"v a\0", &Memory::default()).expect_err("zero bytes");
     assert!(binary.cause.contains("no text") || binary.cause.contains("not a text"));
 }

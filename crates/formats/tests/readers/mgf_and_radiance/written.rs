@@ -57,6 +57,7 @@ fn names_that_mgf_cannot_write_are_mended_and_stay_unique() {
         material: None,
         shape: Shape::Sphere { center: DVec3::ZERO, radius: 1.0, inward: false },
         sides: Sides::Front,
+        file: None,
         place: None,
     };
     let model = Model {
@@ -83,6 +84,7 @@ fn what_mgf_has_no_words_for_is_refused() {
         material: None,
         shape: Shape::Torus { center: DVec3::ZERO, axis: DVec3::Z, major: 1.0, minor: 2.0, inward: false },
         sides: Sides::Open,
+        file: None,
         place: None,
     });
     let refusal = mgf::write::write(&model).expect_err("a torus that overlaps itself");
@@ -148,7 +150,7 @@ proptest! {
                 material: Some(usize::from(second)),
                 shape,
                 sides: if single { Sides::Front } else { Sides::Both },
-                place: None,
+                file: None, place: None,
             }).collect(),
             ..Model::default()
         };

@@ -67,7 +67,9 @@ fn odd_ways_to_write_are_read() {
     sets.splice(32..32, ["1", "T16 54 W", "4450", "830", "1B", "60"].map(str::to_owned));
     let sets = read(&sets).expect("it is right");
     assert_eq!(sets.web, right_lamp.web);
-    assert!(sets.notes.iter().any(|note| note.text == "of 2 sets of lamps the first is taken, with 2000 lm"));
+    assert!(
+        sets.notes.iter().any(|note| &*note.text == "of 2 sets of lamps the first is taken, with 2000 lm")
+    );
 }
 
 /// The coarse table of `right` makes 4 % less than π · 500 lm; a file that states another flux is told so.
