@@ -13,12 +13,13 @@
 use std::time::Instant;
 
 use faer::dyn_stack::{MemBuffer, MemStack};
-use faer::linalg::cholesky::llt::{factor, solve};
+use faer::linalg::cholesky::llt::factor;
 use faer::linalg::matmul::matmul;
 use faer::linalg::matmul::triangular::{self, BlockStructure};
 use faer::linalg::triangular_solve::solve_lower_triangular_in_place;
-use faer::{Accum, MatMut, MatRef, Par};
+use faer::{Accum, MatMut, MatRef};
 
+use crate::bundle::{Bundle, COLUMNS};
 use crate::direct::Direct;
 use crate::error::{SolveError, Stop};
 use crate::factored::Factored;
@@ -185,10 +186,13 @@ struct Triangle {
 
 impl Factors for Triangle {
     fn solve(&self, x: &mut [f64]) {
-        let scratch = solve::solve_in_place_scratch::<f64>(self.dim, 1, Par::Seq);
         let matrix = MatRef::from_column_major_slice(&self.matrix, self.dim, self.dim);
-        let x = MatMut::from_column_major_slice_mut(x, self.dim, 1);
-        solve::solve_in_place(matrix, x, Par::Seq, MemStack::new(&mut MemBuffer::new(scratch)));
+        for columns in x.chunks_mut(COLUMNS * self.dim.max(1)) {
+            let mut bundle = Bundle::of(columns, self.dim);
+            bundle.solve_lower(matrix);
+            bundle.solve_transposed(matrix);
+            bundle.write(columns);
+        }
     }
 
     fn solve_transposed(&self, x: &mut [f64]) {

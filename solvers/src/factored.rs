@@ -11,6 +11,9 @@
 use std::fmt;
 use std::time::Instant;
 
+use rayon::prelude::*;
+
+use crate::bundle::COLUMNS;
 use crate::condition::inverse_norm;
 use crate::direct::{Direct, entries, lower_triangle};
 use crate::error::{SolveError, Stop};
@@ -97,12 +100,14 @@ impl<'a> Factored<'a> {
     /// is as it was.
     pub fn solve(&self, b: &[f64], x: &mut [f64]) -> Result<Report, SolveError> {
         let problem = Problem::new(self.a, b, x, &self.settings)?;
-        self.refine_from(&problem, x, Instant::now(), &mut |_| ())
+        let first = Guess::by(self, b);
+        self.refine_from(first.column(0, b.len()), &problem, x, Instant::now(), &mut |_| ())
     }
 
-    /// Solves and refines, within a time budget that began at `started`.
-    pub(crate) fn refine_from(
+    /// Solves and refines from a guess, within a time budget that began at `started`.
+    fn refine_from(
         &self,
+        guess: ColumnGuess<'_>,
         problem: &Problem<'_>,
         x: &mut [f64],
         started: Instant,
@@ -114,7 +119,7 @@ impl<'a> Factored<'a> {
             x.fill(0.0);
             return Ok(self.report(vec![0.0]));
         }
-        let mut refinement = Refinement::new(self, problem, x, observer)?;
+        let mut refinement = Refinement::new(self, guess, problem, x, observer)?;
         let ended = refinement.run(&halt);
         let (residual, tolerance) = (refinement.residual(), self.settings.tolerance);
         if residual <= tolerance && !matches!(ended, Err(SolveError::Cancelled { .. })) {
@@ -158,7 +163,9 @@ impl<D: Direct> Solver for D {
     ) -> Result<Report, SolveError> {
         let problem = Problem::new(a, b, x, settings)?;
         let started = Instant::now();
-        Factored::new::<D>(a, settings)?.refine_from(&problem, x, started, observer)
+        let factored = Factored::new::<D>(a, settings)?;
+        let guess = Guess::by(&factored, b);
+        factored.refine_from(guess.column(0, b.len()), &problem, x, started, observer)
     }
 
     fn solve_many(
@@ -172,10 +179,57 @@ impl<D: Direct> Solver for D {
         check_columns(a.partition().dim(), b, x)?;
         let started = Instant::now();
         let factored = Factored::new::<D>(a, settings)?;
-        column_by_column(a, b, x, |b, x| {
-            let problem = Problem::new(a, b, x, settings)?;
-            factored.refine_from(&problem, x, started, observer)
+        let dim = a.partition().dim();
+        let at_once = COLUMNS * if settings.threads == 1 { 1 } else { rayon::current_num_threads() };
+        let (mut column, mut guess) = (0, Guess::by(&factored, &[]));
+        column_by_column(a, b, x, |own, x| {
+            if column % at_once == 0 {
+                guess = Guess::by(&factored, &b[column * dim..b.len().min((column + at_once) * dim)]);
+            }
+            let first = guess.column(column % at_once, dim);
+            column += 1;
+            let problem = Problem::new(a, own, x, settings)?;
+            factored.refine_from(first, &problem, x, started, observer)
         })
+    }
+}
+
+/// Solutions by the factors alone, of several right-hand sides.
+struct Guess {
+    /// A⁻¹ b, column after column.
+    x: Vec<f64>,
+    /// A x.
+    product: Vec<f64>,
+}
+
+/// One column of a guess.
+#[derive(Clone, Copy)]
+struct ColumnGuess<'g> {
+    x: &'g [f64],
+    product: &'g [f64],
+}
+
+impl Guess {
+    /// The solutions for the columns of `b`.
+    fn by(factored: &Factored<'_>, b: &[f64]) -> Self {
+        let (mut x, mut product) = (b.to_vec(), vec![f64::NAN; b.len()]);
+        let columns = COLUMNS * factored.a.partition().dim().max(1);
+        let solve = |x: &mut [f64], product: &mut [f64]| {
+            factored.factors.solve(x);
+            factored.a.apply_many(x, product);
+        };
+        if b.len() <= columns {
+            solve(&mut x, &mut product);
+        } else {
+            let bundles = x.par_chunks_mut(columns).zip(product.par_chunks_mut(columns));
+            bundles.for_each(|(x, product)| solve(x, product));
+        }
+        Self { x, product }
+    }
+
+    fn column(&self, column: usize, dim: usize) -> ColumnGuess<'_> {
+        let range = column * dim..(column + 1) * dim;
+        ColumnGuess { x: &self.x[range.clone()], product: &self.product[range] }
     }
 }
 
@@ -192,22 +246,21 @@ struct Refinement<'r, 'f> {
 }
 
 impl<'r, 'f> Refinement<'r, 'f> {
-    /// x = A⁻¹ b by the factors alone; keeps `x` where the result is not finite.
+    /// x by the guess; keeps `x` where that is not finite.
     fn new(
         factored: &'r Factored<'f>,
+        ColumnGuess { x: first, product }: ColumnGuess<'_>,
         problem: &'r Problem<'r>,
         x: &'r mut [f64],
         observer: &'r mut dyn FnMut(&Step<'_>),
     ) -> Result<Self, SolveError> {
-        let mut first = problem.b.to_vec();
-        factored.factors.solve(&mut first);
-        if !all_finite(&first) {
+        if !all_finite(first) {
             return Err(blame(factored.a, singular()));
         }
-        let mut r = vec![0.0; x.len()];
-        let residual = problem.residual(&first, &mut r);
-        let residual = residual.map_err(|error| if exploded(&first) { singular() } else { error })?;
-        x.copy_from_slice(&first);
+        finite(product).map_err(|error| if exploded(first) { singular() } else { error })?;
+        let mut r = product.to_vec();
+        let residual = problem.residual_of(&mut r);
+        x.copy_from_slice(first);
         let mut own = Self { factored, problem, x, r, history: vec![residual], observer };
         own.observe();
         Ok(own)
@@ -279,4 +332,40 @@ fn condition(a: &dyn Operator, factors: &dyn Factors) -> f64 {
     let size = |column: &[f64]| column.iter().map(|entry| entry.abs()).sum::<f64>();
     let one_norm = matrix(a).chunks_exact(dim.max(1)).map(size).fold(0.0, f64::max);
     one_norm * inverse_norm(factors, dim)
+}
+
+#[cfg(test)]
+mod many {
+    use crate::Dense;
+    use crate::lu::Lu;
+    use crate::partition::Partition;
+    use crate::solver::Solver;
+    use crate::{Settings, cholesky::Cholesky};
+
+    /// (I + u uᵀ / n) x = b has the solution x = b − u ⟨u, b⟩ / (n + ⟨u, u⟩).
+    #[test]
+    fn more_right_hand_sides_than_pass_at_once_are_all_solved_for() {
+        let (dim, columns) = (40, 71);
+        let u: Vec<f64> = (0..dim).map(|i| 1.0 + (i % 5) as f64).collect();
+        let product = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+        let entry = |k: usize| {
+            let (i, j) = (k % dim, k / dim);
+            f64::from(u8::from(i == j)) + u[i] * u[j] / dim as f64
+        };
+        let values = (0..dim * dim).map(entry).collect();
+        let a = Dense::new(Partition::new(&[dim]), values, true).expect("a matrix");
+        // One of them is 0.
+        let b: Vec<f64> = (0..dim * columns).map(|k| (k / dim % 50) as f64 * (k % 13) as f64).collect();
+        for solver in [&Cholesky as &dyn Solver, &Lu] {
+            let mut x = vec![f64::NAN; b.len()];
+            let reports = solver.solve_many(&a, &b, &mut x, &Settings::default(), &mut |_| ());
+            assert_eq!(reports.expect("they are solved for").len(), columns);
+            for (x, b) in x.chunks_exact(dim).zip(b.chunks_exact(dim)) {
+                let part = product(&u, b) / (dim as f64 + product(&u, &u));
+                for ((x, b), u) in x.iter().zip(b).zip(&u) {
+                    assert!((x - (b - u * part)).abs() <= 1e-11 * 600.0, "{x}");
+                }
+            }
+        }
+    }
 }

@@ -2,7 +2,7 @@
 
 /// A matrix in factors.
 pub(crate) trait Factors: Send + Sync {
-    /// x := A⁻¹ x.
+    /// x := A⁻¹ x for each of the columns of x, which lie one after the other.
     fn solve(&self, x: &mut [f64]);
 
     /// x := A⁻ᵀ x.

@@ -67,6 +67,8 @@ mod operator;
 
 mod vector;
 
+mod bundle;
+
 mod dense;
 
 mod block_sparse;

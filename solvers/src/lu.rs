@@ -166,10 +166,14 @@ impl Triangles {
 
 impl Factors for Triangles {
     fn solve(&self, x: &mut [f64]) {
-        let scratch = solve::solve_in_place_scratch::<usize, f64>(x.len(), 1, Par::Seq);
-        let x = MatMut::from_column_major_slice_mut(x, self.rows.len(), 1);
-        let (matrix, stack) = (self.matrix(), &mut MemBuffer::new(scratch));
-        solve::solve_in_place(matrix, matrix, self.permutation(), x, Par::Seq, MemStack::new(stack));
+        let dim = self.rows.len();
+        let scratch = solve::solve_in_place_scratch::<usize, f64>(dim, 1, Par::Seq);
+        let (matrix, buffer) = (self.matrix(), &mut MemBuffer::new(scratch));
+        for x in x.chunks_exact_mut(dim.max(1)) {
+            let x = MatMut::from_column_major_slice_mut(x, dim, 1);
+            let stack = MemStack::new(buffer);
+            solve::solve_in_place(matrix, matrix, self.permutation(), x, Par::Seq, stack);
+        }
     }
 
     fn solve_transposed(&self, x: &mut [f64]) {

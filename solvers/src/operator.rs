@@ -60,7 +60,8 @@ pub trait Operator: Sync {
         None
     }
 
-    /// Y = A X for several vectors at once; both of length `k·dim`.
+    /// Y = A X for several vectors at once; both of length `k·dim`. It may differ from [`apply`](Self::apply) by
+    /// rounding.
     fn apply_many(&self, x: &[f64], y: &mut [f64]) {
         let dim = self.partition().dim().max(1);
         for (x, y) in x.chunks_exact(dim).zip(y.chunks_exact_mut(dim)) {

@@ -42,10 +42,15 @@ impl<'a> Problem<'a> {
     /// r = b − A x; returns ‖r‖₂ / ‖b‖₂.
     pub(crate) fn residual(&self, x: &[f64], r: &mut [f64]) -> Result<f64, SolveError> {
         self.apply(x, r)?;
+        Ok(self.residual_of(r))
+    }
+
+    /// r = b − r for the product r = A x; returns ‖r‖₂ / ‖b‖₂.
+    pub(crate) fn residual_of(&self, r: &mut [f64]) -> f64 {
         for (r, b) in r.iter_mut().zip(self.b) {
             *r = b - *r;
         }
-        Ok(self.relative(r))
+        self.relative(r)
     }
 
     /// r = b − A x through those block columns only where x ≠ 0; returns ‖r‖₂ / ‖b‖₂.

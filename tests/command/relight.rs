@@ -2,6 +2,7 @@
 
 use std::fs;
 
+use base64::{Engine, prelude::BASE64_STANDARD as STANDARD};
 use radiosity_test_support::folders::{self, json};
 use radiosity_test_support::solved::sealed;
 use serde_json::Value;
@@ -132,16 +133,29 @@ fn changed_light_of_a_group_is_refused() {
     let folder = folder();
     let here = folder.path();
     let mut file = json(&here.join("room.json"));
-    file["elements"][0]["orthonormal"]["groups"][1]["irradiance"][0][0] = 1e3.into();
-    fs::write(here.join("changed.json"), sealed(&file.to_string())).unwrap();
-    let output = radiosity(here, &["grid", "changed.json"]);
-    let told = String::from_utf8_lossy(&output.stderr);
-    assert!(output.status.code() == Some(2) && told.contains("element 0: the light of its groups"), "{told}");
+    let given = file["groups"][1]["bands"][0]["irradiance"].as_str().expect("it is a text").to_owned();
+    let refuses = |file: &serde_json::Value, what: &str| {
+        fs::write(here.join("changed.json"), sealed(&file.to_string())).unwrap();
+        let output = radiosity(here, &["grid", "changed.json"]);
+        let told = String::from_utf8_lossy(&output.stderr);
+        assert!(output.status.code() == Some(2) && told.contains(what), "{what}: {told}");
+    };
+    let mut bytes = STANDARD.decode(&given).expect("it is Base64");
+    for (number, what) in [
+        (1e3, "element 0: the light of its groups"),
+        (1e20, "element 0: the size of the coefficients"),
+        (f64::NAN, "coefficients of a light group that are no numbers"),
+    ] {
+        bytes[..8].copy_from_slice(&f64::to_le_bytes(number));
+        file["groups"][1]["bands"][0]["irradiance"] = STANDARD.encode(&bytes).into();
+        refuses(&file, what);
+    }
+    file["groups"][1]["bands"][0]["irradiance"] = STANDARD.encode(&bytes[4..]).into();
+    refuses(&file, "coefficients of a light group that are no numbers");
+    file["groups"][1]["bands"][0]["irradiance"] = STANDARD.encode(&bytes[8..]).into();
+    refuses(&file, "the number of coefficients of the light groups");
     file["groups"] = serde_json::json!([]);
-    fs::write(here.join("changed.json"), sealed(&file.to_string())).unwrap();
-    let output = radiosity(here, &["grid", "changed.json"]);
-    let told = String::from_utf8_lossy(&output.stderr);
-    assert!(output.status.code() == Some(2) && told.contains("the list of light groups"), "{told}");
+    refuses(&file, "the list of light groups");
 }
 
 #[test]

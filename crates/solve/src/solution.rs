@@ -220,6 +220,11 @@ impl Solution {
         &self.groups
     }
 
+    /// The light of each group, to be kept.
+    pub fn shared_groups(&self) -> Arc<[GroupLight]> {
+        Arc::clone(&self.groups)
+    }
+
     /// The light of each group; of all together where the scene has none. None where direct light goes
     /// through masks.
     pub(crate) fn light(&self) -> Option<Vec<GroupLight>> {

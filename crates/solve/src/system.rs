@@ -61,7 +61,7 @@ use radiosity_elements::{Element, starts};
 use radiosity_kernel::{Blocks, PlacedBlock};
 use radiosity_light::first_bounce::{Bounce, DirectLightEntry};
 use radiosity_solvers::auto::{DENSE, DIRECT};
-use radiosity_solvers::method::Method;
+use radiosity_solvers::method::{Access, Method};
 use radiosity_solvers::{BlockSparse, Dense, Operator, Partition, SolveError, SparseBlock};
 use radiosity_work::ranks::Ranks;
 
@@ -70,6 +70,11 @@ use vector::{distance, per_element, sum};
 /// Share of the entries of a matrix above which it is held entry by entry, if it is small: a product by
 /// blocks takes some four times as long for each entry. Chosen.
 const THIN: f64 = 0.125;
+
+/// Right-hand sides from which on a direct method is wanted for more unknowns, and the most of these: twice 160 MB. For 32 of
+/// them conjugate gradients take about as many products as a factorisation of a thin matrix takes time. Chosen.
+pub(crate) const MANY: usize = 32;
+pub(crate) const MOST_FOR_MANY: usize = 4500;
 
 /// The system of one band.
 #[derive(Debug)]
@@ -232,6 +237,10 @@ impl<'a> System<'a> {
         let unknowns = self.unknown_count();
         let only_multiplies = method.only_multiplies();
         let is_thin = (self.blocks.stored_numbers() as f64) < THIN * (unknowns as f64).powi(2);
+        let is_for_many = method.access == Access::BySize && rights >= MANY && unknowns <= MOST_FOR_MANY;
+        if is_for_many && is_thin && self.is_symmetric() {
+            return Ok(Box::new(Product { entries: Some(self.matrix()?), ..Product::new(self) }));
+        }
         let most = if only_multiplies && is_thin { DENSE.min(DIRECT.saturating_mul(rights)) } else { DENSE };
         if unknowns <= most || !self.blocks.symmetric() || (self.coating.transmits() && !only_multiplies) {
             return Ok(Box::new(self.matrix()?));
@@ -400,13 +409,15 @@ struct Product<'a> {
     partition: Partition,
     /// Blocks G_ii of the elements that see themselves.
     own: HashMap<usize, Vec<f64>>,
+    /// All entries, where they are to be factored.
+    entries: Option<Dense>,
 }
 
 impl<'a> Product<'a> {
     fn new(system: &'a System<'a>) -> Self {
         let sizes: Vec<usize> = system.reflecting.iter().map(|i| system.elements[*i].basis.len()).collect();
         let own = system.blocks.diagonal();
-        Self { system, partition: Partition::new(&sizes), own }
+        Self { system, partition: Partition::new(&sizes), own, entries: None }
     }
 
     /// √ρ G √ρ x on the unknowns, for the unknowns x of the reflecting elements number `blocks`.
@@ -425,6 +436,21 @@ impl Operator for Product<'_> {
     fn apply(&self, x: &[f64], y: &mut [f64]) {
         let reflected = self.reflected(0..self.partition.len(), x);
         y.iter_mut().zip(x).zip(reflected).for_each(|((y, x), r)| *y = x - r);
+    }
+
+    fn apply_many(&self, x: &[f64], y: &mut [f64]) {
+        let (system, dim) = (self.system, self.partition.dim().max(1));
+        let sent = x.chunks_exact(dim).map(|x| system.unknown_radiosity(0..self.partition.len(), x));
+        let arrived = system.blocks.apply_to_each(&sent.collect::<Vec<_>>());
+        for ((x, y), arrived) in x.chunks_exact(dim).zip(y.chunks_exact_mut(dim)).zip(arrived) {
+            let received = system.halved_light(&arrived);
+            let reflected = system.unknowns(|_, k| received[k]);
+            y.iter_mut().zip(x).zip(reflected).for_each(|((y, x), r)| *y = x - r);
+        }
+    }
+
+    fn dense(&self) -> Option<&[f64]> {
+        self.entries.as_ref().map(Dense::values)
     }
 
     fn shoot(&self, column: usize, x: &[f64], y: &mut [f64]) {

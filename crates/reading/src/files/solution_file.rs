@@ -8,6 +8,7 @@
 mod figures;
 mod error;
 mod element;
+mod groups;
 mod tree;
 mod reading;
 

@@ -6,8 +6,8 @@
 //! ```text
 //! elements   Σ (8 m_i² + 3000)             (bases; patches, hulls, coefficients)
 //! blocks     2 · 8 Σ_P m_i m_j + 300 |P|   (as integrated, and as stored; data of each pair)
-//! system     8 n² , twice for a solver that factors the matrix, up to 3000 unknowns and for such a solver, which
-//!            many light groups ask for;
+//! system     8 n² , twice for a solver that factors the matrix, up to 3000 unknowns (4500 with many
+//!            light groups, which ask for such a solver) and for such a solver;
 //!            320 n above that for a solver that only multiplies, and twice the blocks for others
 //! groups     8 g (2 b + 8) Σ m_i          (g light groups in b bands: what is kept, and the work on one band)
 //! kept       elements and blocks once more, 300 |P|, and 96 for each ray, where the next scene differs in
@@ -28,6 +28,7 @@ use radiosity_transport::price::LEAST;
 use radiosity_work::ranks::Ranks;
 
 use crate::driver::outline::Outline;
+use crate::system::{MANY, MOST_FOR_MANY};
 
 /// Bytes of an f64.
 const NUMBER: u64 = 8;
@@ -208,6 +209,7 @@ fn system(solver: &Method, unknowns: u64, blocks: u64, rights: u64) -> u64 {
     let matrix = NUMBER * unknowns * unknowns;
     match solver.access {
         Access::Entries => 2 * matrix,
+        Access::BySize if rights >= MANY as u64 && unknowns <= MOST_FOR_MANY as u64 => 2 * matrix,
         Access::BySize if unknowns <= (DENSE as u64).min(DIRECT as u64 * rights) => 2 * matrix,
         _ if unknowns <= DENSE as u64 => matrix,
         Access::Products | Access::BySize => NUMBER * unknowns * VECTORS,

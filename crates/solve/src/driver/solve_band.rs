@@ -105,15 +105,18 @@ pub(super) fn solve_band(
     made.each(&mut |_, some| rights.extend(some.iter().map(Ritz::right_hand_side)));
     let before = before.filter(|before| has_sizes_of(before, &rights));
     let is_lit = |right: &[f64]| right.iter().any(|value| *value != 0.0);
-    let lit: Vec<f64> = rights.iter().filter(|right| is_lit(right)).flatten().copied().collect();
-    let lit_count = rights.iter().filter(|right| is_lit(right)).count();
+    let are_lit: Vec<bool> = rights.iter().map(|right| is_lit(right)).collect();
+    let lit_count = are_lit.iter().filter(|own| **own).count();
+    let dim = rights.first().map_or(0, Vec::len);
     let mut unknowns = match before {
-        None => vec![0.0; lit.len()],
+        None => vec![0.0; lit_count * dim],
         Some(before) => {
             let known = before.iter().zip(&rights).filter(|(_, right)| is_lit(right));
             known.flat_map(|(own, _)| own).copied().collect()
         }
     };
+    let mut lit = Vec::with_capacity(unknowns.len());
+    rights.into_iter().filter(|right| is_lit(right)).for_each(|right| lit.extend(right));
     let mut cost = None;
     if !lit.is_empty() {
         let first = &made.some[0];
@@ -152,12 +155,13 @@ pub(super) fn solve_band(
         check_interrupt();
         cost = cost_of(ended, options.keep_partial)?;
     }
-    let mut columns = unknowns.chunks_exact(rights.first().map_or(1, |right| right.len().max(1)));
-    let own = |right: &Vec<f64>| {
-        let own = if is_lit(right) { columns.next() } else { None };
-        own.map_or_else(|| vec![0.0; right.len()], <[f64]>::to_vec)
+    drop(lit);
+    let mut columns = unknowns.chunks_exact(dim.max(1));
+    let own = |is_lit: &bool| {
+        let own = if *is_lit { columns.next() } else { None };
+        own.map_or_else(|| vec![0.0; dim], <[f64]>::to_vec)
     };
-    let unknowns: Vec<Vec<f64>> = rights.iter().map(own).collect();
+    let unknowns: Vec<Vec<f64>> = are_lit.iter().map(own).collect();
     made.each(&mut |range, some| {
         Ritz::found_of_each(some, &unknowns[range]).into_iter().for_each(&mut *take);
     });

@@ -6,7 +6,6 @@ use radiosity_elements::Element;
 use radiosity_elements::basis::Frame;
 use radiosity_elements::space::Space;
 use radiosity_scene::Scene;
-use radiosity_solve::solution::group_light::GroupLight;
 use radiosity_solve::solution::{Band, Solution};
 use serde::{Deserialize, Serialize};
 
@@ -43,16 +42,6 @@ pub(super) struct SavedElement {
 /// Coefficients h and G e (or d) per band, in the orthonormal basis (W m⁻² times scene length).
 #[derive(Debug, Serialize, Deserialize)]
 pub(super) struct Orthonormal {
-    pub(super) irradiance: Vec<Vec<f64>>,
-    pub(super) direct: Vec<Vec<f64>>,
-    /// Coefficients of each light group, not dimmed, where the scene has any.
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub(super) groups: Vec<GroupCoefficients>,
-}
-
-/// Coefficients of one light group per band (W m⁻² times scene length).
-#[derive(Debug, Serialize, Deserialize)]
-pub(super) struct GroupCoefficients {
     pub(super) irradiance: Vec<Vec<f64>>,
     pub(super) direct: Vec<Vec<f64>>,
 }
@@ -108,18 +97,7 @@ fn saved(
         orthonormal: Orthonormal {
             irradiance,
             direct: bands.iter().map(|band| own(&band.coefficients.direct)).collect(),
-            groups: solution.groups().iter().map(|group| GroupCoefficients::of(group, range)).collect(),
         },
-    }
-}
-
-impl GroupCoefficients {
-    fn of(group: &GroupLight, range: &Range<usize>) -> Self {
-        let own = |all: &[f64]| all[range.clone()].to_vec();
-        Self {
-            irradiance: group.bands.iter().map(|band| own(&band.irradiance)).collect(),
-            direct: group.bands.iter().map(|band| own(&band.direct)).collect(),
-        }
     }
 }
 
@@ -133,14 +111,12 @@ impl SavedElement {
         fits(self.order == element.basis.order(), "the order")?;
         fits(self.basis == element.basis.space().into(), "the basis")?;
         fits(same(&[self.area], &[element.area]), "the area")?;
-        let Orthonormal { irradiance, direct, groups } = &self.orthonormal;
+        let Orthonormal { irradiance, direct } = &self.orthonormal;
         let full = |coefficients: &[Vec<f64>]| {
             let bands = scene.bands.len();
             coefficients.len() == bands && coefficients.iter().all(|own| own.len() == element.basis.len())
         };
         fits(full(&self.irradiance) && full(irradiance) && full(direct), "the number of coefficients")?;
-        let all = groups.iter().all(|own| full(&own.irradiance) && full(&own.direct));
-        fits(all, "the number of coefficients of the light groups")?;
         let mut forms = self.irradiance.iter().zip(irradiance);
         fits(forms.all(|(products, own)| same(products, &element.basis.to_products(own))), "the irradiance")
     }
@@ -152,10 +128,8 @@ impl SavedElement {
 
     /// Its largest coefficient, by its absolute value.
     pub(super) fn largest(&self) -> f64 {
-        let Orthonormal { irradiance, direct, groups } = &self.orthonormal;
-        let groups = groups.iter().flat_map(|own| own.irradiance.iter().chain(&own.direct));
-        let all = irradiance.iter().chain(direct).chain(groups).flatten();
-        all.map(|own| own.abs()).fold(0.0, f64::max)
+        let Orthonormal { irradiance, direct } = &self.orthonormal;
+        irradiance.iter().chain(direct).flatten().map(|own| own.abs()).fold(0.0, f64::max)
     }
 
     /// Compares its reflectance and its exitance with those of element `index` of the scene's solution.

@@ -3,6 +3,7 @@
 //! The scene is read and cut again, and every element of the file is compared with it, so that a damaged or
 //! changed file is refused. The coefficients are taken as they are.
 
+use std::collections::HashSet;
 use std::sync::Arc;
 
 use base64::{Engine, prelude::BASE64_STANDARD as STANDARD};
@@ -16,7 +17,7 @@ use serde::Deserialize;
 
 use super::element::{SavedElement, same};
 use super::error::{Mismatch, SolutionError, SolutionFault, VERSION};
-use super::tree::{FORMAT, SavedGroup, SavedScene, SolutionFile};
+use super::tree::{FORMAT, SavedScene, SolutionFile};
 
 /// Largest coefficient of an element of area A, over Φ/√A, where Φ is the power that the scene emits: all of it
 /// on this element alone makes 1, times the bounces between mirrors that lose nothing. Chosen.
@@ -80,7 +81,10 @@ impl SolutionFile {
             None => Elements::new(&scene, how),
         }?;
         check_elements(&self.elements, &scene, &elements)?;
-        check_sizes(&self.elements, self.emitted())?;
+        if !self.groups.are_full(scene.bands.len(), elements.coefficients()) {
+            return Err(SolutionFault::Whole(Mismatch("the number of coefficients of the light groups")));
+        }
+        self.check_sizes(&elements.starts())?;
         let groups = self.group_lights(&scene, &elements)?;
         let solution = Solution::of_groups(elements, &scene, groups);
         for (index, own) in self.elements.iter().enumerate() {
@@ -98,8 +102,9 @@ impl SolutionFile {
     /// The light of each group; all light as that of no group where there are none.
     fn group_lights(&self, scene: &Scene, elements: &Elements) -> Result<Vec<GroupLight>, SolutionFault> {
         let mismatch = || SolutionFault::Whole(Mismatch("the list of light groups"));
-        let is_there = |name: &str| self.groups.iter().any(|group| group.name.as_deref() == Some(name));
-        if !scene.light_groups().iter().all(|group| is_there(&group.name)) {
+        let groups = self.groups.list();
+        let names: HashSet<&str> = groups.iter().filter_map(|group| group.group.as_deref()).collect();
+        if !scene.light_groups().iter().all(|group| names.contains(group.name.as_str())) {
             return Err(mismatch());
         }
         let bands = scene.bands.len();
@@ -114,27 +119,15 @@ impl SolutionFile {
             let masked = self.masked(0, elements)?;
             return Ok(vec![GroupLight { group: None, bands, powers, masked }]);
         }
-        let count = self.groups.len();
-        let fits = |own: &SavedElement| own.orthonormal.groups.len() == count;
-        if !self.elements.iter().all(fits) || self.groups.iter().any(|own| own.residuals.len() != bands) {
-            return Err(mismatch());
-        }
-        let light = |(index, SavedGroup { name, residuals, powers }): (usize, &SavedGroup)| {
-            let band = |band: usize| Incident {
-                irradiance: together(&self.elements, |own| &own.orthonormal.groups[index].irradiance[band]),
-                direct: together(&self.elements, |own| &own.orthonormal.groups[index].direct[band]),
-                residual: residuals[band],
-            };
-            let bands = (0..bands).map(band).collect();
-            let masked = self.masked(index, elements)?;
-            Ok(GroupLight { group: name.clone(), bands, powers: *powers, masked })
+        let light = |(index, group): (usize, &GroupLight)| {
+            Ok(GroupLight { masked: self.masked(index, elements)?, ..group.clone() })
         };
-        self.groups.iter().enumerate().map(light).collect()
+        groups.iter().enumerate().map(light).collect()
     }
 
     /// The masked light of group number `index`, or of all light, if light is masked.
     fn masked(&self, index: usize, elements: &Elements) -> Result<Option<Arc<MaskedLight>>, SolutionFault> {
-        let expected = if self.options.masks.is_some() { self.groups.len().max(1) } else { 0 };
+        let expected = if self.options.masks.is_some() { self.groups.list().len().max(1) } else { 0 };
         if self.masked.len() > expected {
             return Err(SolutionFault::Whole(Mismatch("the light through masks")));
         }
@@ -145,6 +138,22 @@ impl SolutionFile {
         match masked.is_of(elements.list(), self.bands.len()) {
             true => Ok(Some(Arc::new(masked.clone()))),
             false => Err(SolutionFault::Whole(Mismatch("the light through masks"))),
+        }
+    }
+
+    /// Refuses coefficients that no light of the scene makes: reading off them would not end. Those of each
+    /// element begin at its number in `starts`.
+    fn check_sizes(&self, starts: &[usize]) -> Result<(), SolutionFault> {
+        let emitted = self.emitted();
+        let is_usual = |(own, ends): (&SavedElement, &[usize])| {
+            let largest = own.largest().max(self.groups.largest(&(ends[0]..ends[1])));
+            largest <= MOST_LIGHT * emitted / own.area().sqrt()
+        };
+        match self.elements.iter().zip(starts.windows(2)).position(|own| !is_usual(own)) {
+            None => Ok(()),
+            Some(index) => {
+                Err(SolutionFault::Element { index, what: Mismatch("the size of the coefficients") })
+            }
         }
     }
 
@@ -201,15 +210,6 @@ fn checked(how: &Discretization) -> Result<&Discretization, SolutionFault> {
             Err(SolutionFault::Whole(Mismatch("the subdivision")))
         }
         _ => Ok(how),
-    }
-}
-
-/// Refuses coefficients that no light of the scene makes: reading off them would not end.
-fn check_sizes(saved: &[SavedElement], emitted: f64) -> Result<(), SolutionFault> {
-    let is_usual = |own: &SavedElement| own.largest() <= MOST_LIGHT * emitted / own.area().sqrt();
-    match saved.iter().position(|own| !is_usual(own)) {
-        None => Ok(()),
-        Some(index) => Err(SolutionFault::Element { index, what: Mismatch("the size of the coefficients") }),
     }
 }
 

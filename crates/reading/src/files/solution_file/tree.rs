@@ -9,8 +9,6 @@ use radiosity_published::zatz1993::masked_light::MaskedLight;
 use radiosity_scene::{Scene, Source};
 use radiosity_solve::Options;
 use radiosity_solve::solution::Solution;
-use radiosity_solve::solution::group_light::GroupLight;
-use radiosity_solve::solution::powers::Powers;
 use radiosity_solve::solved::Solved;
 use radiosity_work::checksum::Checksum;
 use serde::{Deserialize, Serialize};
@@ -18,6 +16,7 @@ use serde::{Deserialize, Serialize};
 use super::element::{self, SavedElement};
 use super::error::{SolutionFault, VERSION};
 use super::figures::Figures;
+use super::groups::SavedGroups;
 
 /// Value of the key `format`, by which a solution file is recognised.
 pub(super) const FORMAT: &str = "radiosity-solution";
@@ -34,8 +33,8 @@ const EVALUATION: &str = "On an element of order N, at coordinates (a, b) in [-1
      the files of which are in scene.pictures. Unit: that of the scene's exitance (W/m^2 unless the scene states a unit). \
      orthonormal holds the irradiance, and the part of it that comes straight from the emitters, in the basis that is \
      orthonormal on the element with respect to area: the program reads these back. Where there are light groups, the \
-     irradiance is the sum of theirs in orthonormal.groups, in the order of groups, each times its factor in \
-     scene.factors, or 1; so is the exitance that of the scene's text times its factor.";
+     irradiance is the sum of theirs, each times its factor in scene.factors, or 1: groups hold their coefficients in the \
+     orthonormal bases, element by element, per band, as the Base64 of IEEE 754 numbers of 64 bits, low byte first; so is the exitance that of the scene's text times its factor.";
 
 /// The file's tree.
 #[derive(Debug, Serialize, Deserialize)]
@@ -55,31 +54,13 @@ pub struct SolutionFile {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub(super) mesh: Option<Mesh>,
     pub(super) figures: Figures,
-    /// The light groups, not dimmed; empty where the scene has none.
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub(super) groups: Vec<SavedGroup>,
+    /// The light groups, not dimmed; none where the scene has none.
+    #[serde(default, skip_serializing_if = "SavedGroups::is_empty")]
+    pub(super) groups: SavedGroups,
     /// Light through shadow masks, of each group or of all light; empty where nothing is masked.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub(super) masked: Vec<MaskedLight>,
     pub(super) elements: Vec<SavedElement>,
-}
-
-/// A light group, not dimmed; its coefficients stand with the elements.
-#[derive(Debug, Serialize, Deserialize)]
-pub(super) struct SavedGroup {
-    /// Null for the light of surfaces without a group.
-    pub(super) name: Option<String>,
-    /// Relative residual of each band.
-    pub(super) residuals: Vec<f64>,
-    pub(super) powers: Powers,
-}
-
-impl SavedGroup {
-    /// The file's entry of a solution's light group.
-    pub(super) fn of(light: &GroupLight) -> Self {
-        let residuals = light.bands.iter().map(|band| band.residual).collect();
-        Self { name: light.group.clone(), residuals, powers: light.powers }
-    }
 }
 
 /// The scene as it was read.
@@ -190,7 +171,7 @@ impl SolutionFile {
             discretization: *outcome.solution.elements().discretization(),
             mesh: outcome.solution.elements().refined_mesh().cloned(),
             figures: Figures::of(solved),
-            groups: outcome.solution.groups().iter().map(SavedGroup::of).collect(),
+            groups: SavedGroups::of(outcome.solution.shared_groups()),
             masked: masked(&outcome.solution),
             elements: element::all(scene, &outcome.solution),
         }
@@ -220,7 +201,7 @@ impl SolutionFile {
 
     /// Power that the scene emits, its light groups not dimmed.
     pub(super) fn emitted(&self) -> f64 {
-        let groups: f64 = self.groups.iter().map(|group| group.powers.emitted).sum();
+        let groups: f64 = self.groups.list().iter().map(|group| group.powers.emitted).sum();
         groups.max(self.figures.powers().emitted)
     }
 }
