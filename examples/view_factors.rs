@@ -11,7 +11,6 @@ use std::error::Error;
 use radiosity::Work;
 use radiosity::kernel::Accuracy;
 use radiosity::scene::Source;
-use radiosity::visibility::Shadows;
 use radiosity::{ViewFactors, language, solve::view_factors::Options};
 
 /// A ball that hovers between two square plates.
@@ -29,13 +28,8 @@ sphere = { center = [0, 0, 1], radius = 0.5 }
 
 fn main() -> Result<(), Box<dyn Error>> {
     let scene = language::read(&Source::new("plates.toml", SCENE))?;
-    let options = Options {
-        // None: as many elements as the shadows need.
-        subdivide: None,
-        accuracy: Accuracy { eps: 1e-4, shadow_eps: 1e-4 },
-        shadows: Shadows::Auto,
-        threads: 2,
-    };
+    let options =
+        Options { accuracy: Accuracy { eps: 1e-4, shadow_eps: 1e-4 }, threads: 2, ..Options::default() };
     let factors = ViewFactors::new(&scene, &options, &Work::alone())?;
     for (i, from) in factors.names.iter().enumerate() {
         for (j, factor) in factors.nonzeros(i) {

@@ -364,6 +364,15 @@ class Transfers(TypedDict, total=False):
     shadows: "auto", "off", "rays" or "exact"
         How it is found out what surfaces hide from each other [default: auto].
 
+    transport: "auto", "exact" or "sampled"
+        How the pairs of elements are carried [default: exact].
+
+    rays: int
+        Rays of the sampled transport [default: by the number of surfaces and the accuracy].
+
+    memory: int or str
+        Most memory to use, such as 500M, 2G or 2GiB [default: as much as it takes].
+
     threads: int
         Threads to use, all by default; results do not depend on it.
 
@@ -376,6 +385,9 @@ class Transfers(TypedDict, total=False):
     eps: float
     shadow_eps: float
     shadows: Literal["auto", "off", "rays", "exact"]
+    transport: Literal["auto", "exact", "sampled"]
+    rays: int
+    memory: int | str
     threads: int
     audit: float
 
@@ -386,21 +398,13 @@ class HeatMethod(Transfers, total=False):
     order: int
         Degree of the polynomials on each element; 0 takes all fluxes as even over it, as thermal networks do [default: 3].
 
-    transport: "auto", "exact" or "sampled"
-        How the pairs of elements are carried [default: exact].
-
     solver: str
         Solver of the linear system [default: auto].
-
-    memory: int or str
-        Most memory to use, such as 500M, 2G or 2GiB [default: 80 % of what is free].
 
     conductances: bool
         Whether the conductances between all surfaces are wanted.
     """
 
     order: int
-    transport: Literal["auto", "exact", "sampled"]
     solver: str
-    memory: int | str
     conductances: bool

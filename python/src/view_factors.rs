@@ -16,7 +16,7 @@ use radiosity::request::{CheckRequest, TransferRequest};
 use radiosity::scene::{Material, Scene as Whole, SceneError};
 use radiosity::solve::Failure;
 use radiosity::solve::in_threads;
-use radiosity::work::{Progress as Event, Work};
+use radiosity::work::{Observer, Progress as Event, Work};
 use radiosity::{SceneBuilder, solve::view_factors as library};
 
 use crate::arguments::Arguments;
@@ -113,10 +113,10 @@ fn factors(
     };
     let from: Vec<usize> = from.into_iter().collect();
     let (factors, told, sums) = work(py, observer, |progress| {
-        let tell = |event| {
-            if let Event::Done { done, of, .. } = event {
-                progress.step("pairs", done, of);
-            }
+        let tell = |event| match event {
+            Event::Done { done, of, .. } => progress.step("pairs", done, of),
+            Event::Rays { .. } => progress.report(event),
+            _ => {}
         };
         let work = Work::alone().observed_by(&tell);
         let factors = library::ViewFactors::of_pairs(scene, &wanted, &options, &work)?;

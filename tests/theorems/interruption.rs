@@ -14,7 +14,6 @@ use radiosity::solve::animation::follower::{FollowMode, Follower};
 use radiosity::solve::animation::sequence::Sequence;
 use radiosity::solve::studies::adaptation::{Aim, Goal};
 use radiosity::solve::{LightMethod, Transport, in_threads};
-use radiosity::visibility::Shadows;
 use radiosity::work::Progress;
 use radiosity::work::interruption::{Interrupted, Interruption};
 use radiosity::{Options, Scene, Solution, Solved, ViewFactors, Work, solve, solve::view_factors};
@@ -81,7 +80,12 @@ fn solutions_end_soon() {
 #[test]
 fn transfers_end_soon() {
     let accuracy = Accuracy { eps: 1e-3, shadow_eps: 3e-3 };
-    let options = view_factors::Options { subdivide: Some(24), accuracy, shadows: Shadows::Auto, threads: 2 };
+    let options = view_factors::Options {
+        subdivide: Some(24),
+        accuracy,
+        threads: 2,
+        ..view_factors::Options::default()
+    };
     let cornell = builtin("cornell-box");
     ends_soon("view factors", &|| drop(ViewFactors::new(&cornell, &options, &Work::alone())));
     let oven = builtin("oven");

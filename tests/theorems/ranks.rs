@@ -109,8 +109,12 @@ fn view_factors_and_heat() {
     same_on_ranks(|work| {
         let scene = builtin("two-boxes");
         let accuracy = Accuracy { eps: 1e-4, shadow_eps: 1e-2 };
-        let options =
-            view_factors::Options { subdivide: Some(2), accuracy, shadows: Shadows::Auto, threads: 2 };
+        let options = view_factors::Options {
+            subdivide: Some(2),
+            accuracy,
+            threads: 2,
+            ..view_factors::Options::default()
+        };
         let factors = ViewFactors::new(&scene, &options, work).expect("all have area");
         let rows: Vec<Vec<f64>> = (0..factors.names.len()).map(|row| factors.row(row)).collect();
         format!("{rows:?} {:?} {} {}", factors.pairs, factors.samples, factors.rays)

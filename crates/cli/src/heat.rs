@@ -51,6 +51,12 @@ they are known, they are a heat_flux.";
     mut_arg("subdivide", |cuts| {
         cuts.help("Cuts each surface into K × K elements; auto looks at what the scene needs [default: auto]")
     }),
+    mut_arg("rays", |rays| {
+        rays.help("Rays of the sampled transport [default: by the number of surfaces and --shadow-eps]")
+    }),
+    mut_arg("memory", |memory| {
+        memory.help("Most memory to use, such as 500M, 2G or 2GiB [default: 80 % of what is free]")
+    }),
     mut_arg("strict", |strict| {
         strict.help("Ends with exit code 3 where path tracing finds more than the balance tells; refuses a scene of another program that needs repairs")
     }),

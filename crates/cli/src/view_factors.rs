@@ -16,8 +16,9 @@ use radiosity_reading::row_sums::RowSums;
 use radiosity_scene::Scene;
 use radiosity_solve::in_threads;
 use radiosity_solve::view_factors::ViewFactors;
+use radiosity_work::digits::significant;
 use radiosity_work::ranks::Ranks;
-use radiosity_work::{Progress as Event, Work};
+use radiosity_work::{Observer, Progress as Event, Work};
 
 use crate::{
     destination::Destination, error::CliError, format, options::SceneArg, progress::Progress,
@@ -101,10 +102,11 @@ pub(crate) fn run(args: &ViewFactorsArgs, given: &TypedOptions, ranks: &Ranks) -
     let progress = Progress::new(args.transfers.quiet, ranks);
     let chosen: BTreeSet<[usize; 2]> = pairs.iter().copied().collect();
     let wanted = |i, j| chosen.is_empty() || chosen.contains(&[i, j]);
-    let show = |event| {
-        if let Event::Done { done, of, .. } = event {
-            progress.show("pairs", done, of);
-        }
+    let show = |event| match event {
+        Event::Expected { seconds, .. } => progress.announce("view factors", seconds),
+        Event::Done { done, of, .. } => progress.show("pairs", done, of),
+        Event::Rays { .. } => progress.report(event),
+        _ => {}
     };
     let work = Work::among(ranks).observed_by(&show);
     let factors = ViewFactors::of_pairs(&scene, &wanted, &args.transfers.request.factors(), &work)?;
@@ -120,14 +122,28 @@ pub(crate) fn run(args: &ViewFactorsArgs, given: &TypedOptions, ranks: &Ranks) -
 
 /// The first lines of the summary of a run of so many seconds.
 fn costs(scene: &Scene, factors: &ViewFactors, seconds: f64) -> Vec<String> {
-    let ViewFactors { names, elapsed, samples, rays, .. } = factors;
+    let ViewFactors { names, elapsed, samples, rays, choice, .. } = factors;
     let elapsed = elapsed.as_secs_f64();
-    vec![
+    let of = if choice.sampled { "rays" } else { "shadow rays" };
+    let mut lines = vec![
         format!("{}: {} surfaces", scene.name, names.len()),
-        format!(
-            "{seconds:.3} s, of which factors {elapsed:.3} s ({samples} kernel samples, {rays} shadow rays)"
-        ),
-    ]
+        format!("{seconds:.3} s, of which factors {elapsed:.3} s ({samples} kernel samples, {rays} {of})"),
+    ];
+    lines.extend(choice.sampled.then(|| by_rays(factors)));
+    lines
+}
+
+/// What rays that carried the factors leave, and why they did.
+fn by_rays(factors: &ViewFactors) -> String {
+    let errors = factors.relative_errors();
+    let part = |share: f64| errors.get((share * errors.len() as f64) as usize).or(errors.last());
+    let [half, most, all] = [0.5, 0.9, 1.0]
+        .map(|share| part(share).map_or("0".to_owned(), |error| significant(100.0 * error, 2)));
+    format!(
+        "carried by rays ({}), {} pairs by rules: errors of half of the rows are within {half} % of their largest \
+         factor, of nine tenths {most} %, of all {all} %",
+        factors.choice.why, factors.exact_pairs
+    )
 }
 
 /// Form in which factors are written, and the pairs.
@@ -257,7 +273,7 @@ impl ViewFactorsArgs {
         told: &CheckedFactors,
         ranks: &Ranks,
     ) -> Result<Vec<String>, CliError> {
-        let threads = ranks.threads(self.transfers.request.factors().threads);
+        let threads = ranks.threads(self.transfers.request.threads());
         let sums = || self.sums(scene, factors);
         let mut lines = if self.pairs.is_empty() { in_threads(threads, sums)? } else { Vec::new() };
         lines.extend(told.checked.as_ref().map(ToString::to_string));

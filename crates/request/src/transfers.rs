@@ -43,6 +43,19 @@ pub struct TransferRequest {
     #[cfg_attr(feature = "clap", arg(long, value_name = "MODE"))]
     pub shadows: Option<Shadows>,
 
+    /// How the pairs of elements are carried [default: exact]
+    #[cfg_attr(feature = "clap", arg(long, value_name = "MODE"))]
+    pub transport: Option<Transport>,
+
+    /// Rays of the sampled transport [default: by the number of surfaces and the accuracy]
+    #[cfg_attr(feature = "clap", arg(long, value_name = "N"))]
+    pub rays: Option<ranges::Rays>,
+
+    /// Most memory to use, such as 500M, 2G or 2GiB [default: as much as it takes]
+    #[serde(deserialize_with = "by_text")]
+    #[cfg_attr(feature = "clap", arg(long, value_name = "BYTES"))]
+    pub memory: Option<Bytes>,
+
     /// Threads to use, all by default; results do not depend on it
     #[cfg_attr(feature = "clap", arg(long, value_name = "N"))]
     pub threads: Option<ranges::Threads>,
@@ -64,8 +77,8 @@ impl TransferRequest {
                 ));
             }
         };
-        let MethodRequest { subdivide, eps, shadow_eps, threads, .. } = *method;
-        Ok(Self { subdivide, eps, shadow_eps, shadows, threads })
+        let MethodRequest { subdivide, eps, shadow_eps, transport, rays, memory, threads, .. } = *method;
+        Ok(Self { subdivide, eps, shadow_eps, shadows, transport, rays, memory, threads })
     }
 
     /// Accuracies of view factors and their shadows.
@@ -86,10 +99,14 @@ impl TransferRequest {
 
     /// The options of view factors.
     pub fn factors(&self) -> view_factors::Options {
+        let usual = view_factors::Options::default();
         view_factors::Options {
             subdivide: self.subdivide.unwrap_or_default().0,
             accuracy: self.accuracy(),
             shadows: self.shadows.unwrap_or_default(),
+            transport: self.transport.unwrap_or(usual.transport),
+            rays: self.rays.map(u64::from),
+            memory: self.memory.map(|Bytes(bytes)| bytes),
             threads: self.threads(),
         }
     }
@@ -105,19 +122,10 @@ pub struct HeatRequest {
     #[cfg_attr(feature = "clap", arg(long, value_name = "N"))]
     pub order: Option<ranges::Degree>,
 
-    /// How the pairs of elements are carried [default: exact]
-    #[cfg_attr(feature = "clap", arg(long, value_name = "MODE"))]
-    pub transport: Option<Transport>,
-
     /// Solver of the linear system [default: auto]
     #[serde(deserialize_with = "modes::solver")]
     #[cfg_attr(feature = "clap", arg(long, value_name = "NAME", value_parser = modes::solvers()))]
     pub solver: Option<&'static Method>,
-
-    /// Most memory to use, such as 500M, 2G or 2GiB [default: 80 % of what is free]
-    #[serde(deserialize_with = "by_text")]
-    #[cfg_attr(feature = "clap", arg(long, value_name = "BYTES"))]
-    pub memory: Option<Bytes>,
 }
 
 impl HeatRequest {
@@ -136,8 +144,7 @@ impl HeatRequest {
                 ));
             }
         };
-        let MethodRequest { transport, solver, memory, .. } = *method;
-        Ok(Self { order, transport, solver, memory })
+        Ok(Self { order, solver: method.solver })
     }
 
     /// Degree of the polynomials.
@@ -156,9 +163,10 @@ impl HeatRequest {
             eps,
             shadow_eps,
             shadows: transfers.shadows.unwrap_or_default(),
-            transport: self.transport.unwrap_or(usual.transport),
+            transport: transfers.transport.unwrap_or(usual.transport),
+            rays: transfers.rays.map(u64::from),
             solver: self.solver.unwrap_or(usual.solver),
-            memory: memory::allowed(self.memory, ranks),
+            memory: memory::allowed(transfers.memory, ranks),
             threads: transfers.threads(),
             ..usual
         };

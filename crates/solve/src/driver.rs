@@ -66,6 +66,7 @@ use radiosity_scene::Scene;
 use radiosity_work::Work;
 
 use by_links::solve_by_links;
+pub(crate) use choose_transport::exact_price;
 pub use column_choice::ColumnChoice;
 pub(crate) use decisions::Layout;
 pub use direct::Direct;

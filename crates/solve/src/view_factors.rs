@@ -21,7 +21,12 @@
 //! own_i = max( √(Σ e_b²) / A_i ,  0.1 Σ ε_b x_b / A_i , 2⁻⁵² )  elsewhere, as in open scenes ,
 //! ```
 //!
-//! and rounding alone where closed forms carry a row.
+//! and rounding alone where closed forms carry a row. Rays carry the pairs where rules would take long ([`plan`]);
+//! what they leave in a row is about the largest of its errors ([`row_noise`]), and adds to that of the rules.
+
+mod plan;
+mod by_rays;
+mod row_noise;
 
 use std::time::{Duration, Instant};
 
@@ -30,12 +35,17 @@ use radiosity_elements::space::Space;
 use radiosity_elements::{Discretization, Elements, Subdivide};
 use radiosity_kernel::{Accuracy, Blocks, PairCounts, PlacedBlock, RowError, WorstError};
 use radiosity_scene::Scene;
+use radiosity_solvers::method::Method;
 use radiosity_transport as transport;
 use radiosity_transport::{Demand, FactorEnds};
 use radiosity_visibility::{Shadows, Visibility};
-use radiosity_work::Work;
+use radiosity_work::{Progress, Stage, Work};
 
-use crate::driver::{Failure, in_threads};
+use crate::driver::memory_estimate::MemoryEstimate;
+use crate::driver::{Failure, MemoryReduction, Transport, TransportChoice, in_threads};
+use by_rays::{Carried, FactorRays};
+use plan::Plan;
+use row_noise::RowNoise;
 
 /// Errors that are known or asked by which the row sum of a closed scene may miss 1. Chosen: as rows that are told
 /// to be closed.
@@ -49,18 +59,47 @@ const REACHED: f64 = 0.1;
 const SAMPLE: f64 = 2e-8;
 const RAY: f64 = 4e-7;
 
-/// Options of view factors: cuts, accuracies, shadows and threads.
+/// Options of view factors: cuts, accuracies, shadows, what carries the pairs, memory and threads.
 #[derive(Clone, Copy, Debug)]
 pub struct Options {
     /// Cuts along u and v of surfaces that do not state their own; None chooses. The factors are those of
-    /// whole surfaces; cuts make shadows more accurate.
+    /// whole surfaces; cuts make shadows more accurate where rules find them.
     pub subdivide: Option<usize>,
     /// Accuracy of the exchange of two elements.
     pub accuracy: Accuracy,
     /// Ways to find shadows between surfaces.
     pub shadows: Shadows,
+    /// Carriers of the pairs.
+    pub transport: Transport,
+    /// Rays, where these carry the pairs; None: by the number of surfaces and the accuracy.
+    pub rays: Option<u64>,
+    /// Most bytes to use; rules, or a given number of rays, that need more are refused.
+    pub memory: Option<u64>,
     /// Threads, 0 for all that a rank may use; the result does not depend on it.
     pub threads: usize,
+}
+
+impl Default for Options {
+    /// Every pair by rules, to 1e-3 with its shadows.
+    fn default() -> Self {
+        Self {
+            subdivide: None,
+            accuracy: Accuracy { eps: 1e-3, shadow_eps: 1e-3 },
+            shadows: Shadows::Auto,
+            transport: Transport::Exact,
+            rays: None,
+            memory: None,
+            threads: 0,
+        }
+    }
+}
+
+impl Options {
+    /// The accuracies of pairs and their shadows.
+    fn block_accuracy(&self) -> Accuracy {
+        let Accuracy { eps, shadow_eps } = self.accuracy;
+        Accuracy { eps, shadow_eps: self.shadows.accuracy(eps, shadow_eps) }
+    }
 }
 
 /// The view factors of a scene. Only pairs that see each other take memory.
@@ -75,11 +114,15 @@ pub struct ViewFactors {
     exchanges: Vec<Vec<(u32, f64)>>,
     /// The method's own estimate of the largest error of a factor in the row of each surface.
     pub errors: Vec<f64>,
+    /// What carried the pairs, and why.
+    pub choice: TransportChoice,
+    /// Pairs of elements that rules carried where rays carried the others.
+    pub exact_pairs: usize,
     /// Numbers of pairs by how they were treated.
     pub pairs: PairCounts,
     /// Evaluations of the kernel, or of logarithms in contour integrals.
     pub samples: u64,
-    /// Segments tested for visibility.
+    /// Segments tested for visibility, or rays that carried pairs.
     pub rays: u64,
     /// Largest error that is left in the exchange of two elements, relative to the scale of its block
     /// ([`radiosity_kernel::BlockStatistics::accuracy_reached`]).
@@ -110,15 +153,21 @@ impl ViewFactors {
         work: &Work<'_>,
     ) -> Result<Self, Failure> {
         let start = Instant::now();
-        let (elements, blocks) =
+        let found =
             in_threads(work.ranks.threads(options.threads), || constants(scene, wanted, options, work))??;
+        let Constants { elements, blocks, choice, noise, exact_pairs } = found;
         let areas = areas(scene, &elements);
-        let exchanges = exchanges(&elements, &blocks, areas.len());
-        let is_whole = |i: usize| (0..areas.len()).all(|j| wanted(i, j) || wanted(j, i));
+        let is_wanted = |i: usize, j: usize| wanted(i, j) || wanted(j, i);
+        let exchanges = exchanges(&elements, &blocks, areas.len(), &is_wanted);
+        let is_whole = |i: usize| (0..areas.len()).all(|j| is_wanted(i, j));
         let known = row_errors(&elements, &blocks, areas.len());
-        let error = |i: usize| {
-            let is_told = known[i] != RowError::default() && is_whole(i);
-            own_error(known[i], areas[i], is_told.then(|| sum(&exchanges[i])))
+        let by_rays = noise.as_ref().map(|noise| noise.errors(&areas));
+        let error = |i: usize| match &by_rays {
+            Some(errors) => own_error(known[i], areas[i], None).hypot(errors[i]),
+            None => {
+                let is_told = known[i] != RowError::default() && is_whole(i);
+                own_error(known[i], areas[i], is_told.then(|| sum(&exchanges[i])))
+            }
         };
         let errors = (0..areas.len()).map(error).collect();
         Ok(Self {
@@ -126,6 +175,8 @@ impl ViewFactors {
             errors,
             exchanges,
             areas,
+            choice,
+            exact_pairs,
             pairs: blocks.statistics.pairs,
             samples: blocks.statistics.distinct,
             rays: blocks.statistics.rays,
@@ -163,6 +214,17 @@ impl ViewFactors {
         self.exchanges.iter().zip(&self.areas).map(|(row, area)| sum(row) / area).collect()
     }
 
+    /// The error of each row relative to its largest factor, ascending; of rows without one nothing.
+    pub fn relative_errors(&self) -> Vec<f64> {
+        let relative = |(i, row): (usize, &Vec<(u32, f64)>)| {
+            let largest = row.iter().map(|(_, exchange)| *exchange).fold(0.0, f64::max) / self.areas[i];
+            (largest > 0.0).then(|| self.errors[i] / largest)
+        };
+        let mut errors: Vec<f64> = self.exchanges.iter().enumerate().filter_map(relative).collect();
+        errors.sort_by(f64::total_cmp);
+        errors
+    }
+
     /// Time that such work takes (s), by its counts.
     pub fn forecast(&self) -> f64 {
         SAMPLE * self.samples as f64 + RAY * self.rays as f64
@@ -170,7 +232,10 @@ impl ViewFactors {
 
     /// Whether closed forms carry all pairs, and nothing hides a part of one.
     pub fn are_exact(&self) -> bool {
-        self.rays == 0 && self.pairs.partly_hidden == 0 && self.pairs.contour == self.pairs.integrated()
+        !self.choice.sampled
+            && self.rays == 0
+            && self.pairs.partly_hidden == 0
+            && self.pairs.contour == self.pairs.integrated()
     }
 }
 
@@ -198,27 +263,76 @@ fn own_error(error: RowError, area: f64, sum: Option<f64>) -> f64 {
     known.max(missed).max(f64::EPSILON)
 }
 
-/// Elements that carry constants, and their blocks.
+/// Elements that carry constants, their blocks, and what is known of these.
+struct Constants {
+    elements: Elements,
+    blocks: Blocks,
+    choice: TransportChoice,
+    /// What rays leave, where they carry the pairs.
+    noise: Option<RowNoise>,
+    exact_pairs: usize,
+}
+
 fn constants(
     scene: &Scene,
     wanted: &(dyn Fn(usize, usize) -> bool + Sync),
     options: &Options,
     work: &Work<'_>,
-) -> Result<(Elements, Blocks), Failure> {
+) -> Result<Constants, Failure> {
     let mut scene = scene.clone();
     scene.surfaces.iter_mut().for_each(|surface| surface.order = None);
-    let Accuracy { eps, shadow_eps } = options.accuracy;
-    let accuracy = Accuracy { eps, shadow_eps: options.shadows.accuracy(eps, shadow_eps) };
+    let accuracy = options.block_accuracy();
     let visibility = Visibility::new(&scene, options.shadows, accuracy.shadow_eps);
+    let wanted = |i: usize, j: usize| wanted(i, j) || wanted(j, i);
     let auto = || Subdivide::Auto { occluded: visibility.any_shadow() };
-    let subdivide = options.subdivide.map_or_else(auto, Subdivide::Uniform);
-    let how = Discretization { order: 0, space: Space::Total, subdivide, layers: Layers::NONE };
+    let how = constant_on(options.subdivide.map_or_else(auto, Subdivide::Uniform));
+    let Plan { choice, rays, seconds } = Plan::of(&scene, &how, &wanted, options, &visibility);
+    work.ranks.note_choice(&choice.sampled);
+    work.report(Progress::Expected { stage: Stage::Blocks, seconds });
+    if choice.sampled {
+        // Rays find shadows wherever they are.
+        scene.surfaces.iter_mut().for_each(|surface| surface.subdivide = None);
+        let elements = Elements::new(&scene, &constant_on(Subdivide::Uniform(1)))?;
+        let (is_given, memory) = (options.rays.is_some(), options.memory);
+        let sent = FactorRays {
+            elements: &elements,
+            visibility: &visibility,
+            accuracy,
+            rays,
+            is_given,
+            memory,
+            work,
+        };
+        let Carried { blocks, noise, exact_pairs } = sent.carried()?;
+        return Ok(Constants { elements, blocks, choice, noise: Some(noise), exact_pairs });
+    }
+    require_memory(&scene, &how, options, work)?;
     let elements = Elements::new(&scene, &how)?;
     let surface = |element: usize| elements.list()[element].surface;
-    let wanted = |a, b| wanted(surface(a), surface(b)) || wanted(surface(b), surface(a));
+    let wanted = |a, b| wanted(surface(a), surface(b));
     let demand = Demand { whole: FactorEnds::Surface, ..Demand::all(&elements, &visibility, accuracy) };
     let blocks = transport::assemble(demand.of(&wanted), None, work);
-    Ok((elements, blocks))
+    Ok(Constants { elements, blocks, choice, noise: None, exact_pairs: 0 })
+}
+
+/// Elements of constants.
+fn constant_on(subdivide: Subdivide) -> Discretization {
+    Discretization { order: 0, space: Space::Total, subdivide, layers: Layers::NONE }
+}
+
+/// Refuses rules that need more memory than allowed.
+fn require_memory(
+    scene: &Scene,
+    how: &Discretization,
+    options: &Options,
+    work: &Work<'_>,
+) -> Result<(), Failure> {
+    let Some(allowed) = options.memory else { return Ok(()) };
+    let needed = MemoryEstimate::of(scene, how, &Method::CG, work.ranks).peak();
+    match needed <= allowed {
+        true => Ok(()),
+        false => Err(Failure::Memory { needed, allowed, fits: vec![MemoryReduction::SampledTransport] }),
+    }
 }
 
 fn areas(scene: &Scene, elements: &Elements) -> Vec<f64> {
@@ -226,13 +340,21 @@ fn areas(scene: &Scene, elements: &Elements) -> Vec<f64> {
     (0..scene.surfaces.len()).map(area).collect()
 }
 
-/// A_i F_ij of all pairs that exchange anything.
-fn exchanges(elements: &Elements, blocks: &Blocks, surfaces: usize) -> Vec<Vec<(u32, f64)>> {
+/// A_i F_ij of all pairs that are wanted and exchange anything.
+fn exchanges(
+    elements: &Elements,
+    blocks: &Blocks,
+    surfaces: usize,
+    is_wanted: &dyn Fn(usize, usize) -> bool,
+) -> Vec<Vec<(u32, f64)>> {
     let list = elements.list();
     let mut rows: Vec<Vec<(u32, f64)>> = vec![Vec::new(); surfaces];
     for PlacedBlock { row: a, column: b, values } in blocks.gathered().iter() {
         let exchange = values[0] * (list[a].area * list[b].area).sqrt();
         let (i, j) = (list[a].surface, list[b].surface);
+        if !is_wanted(i, j) {
+            continue;
+        }
         rows[i].push((j as u32, exchange));
         // Two different elements of one surface exchange in both directions.
         if a != b {
@@ -257,7 +379,7 @@ mod tests {
 
     fn factors(scene: &Scene, subdivide: usize) -> ViewFactors {
         let accuracy = Accuracy { eps: 1e-6, shadow_eps: 1e-2 };
-        let options = Options { subdivide: Some(subdivide), accuracy, shadows: Shadows::Auto, threads: 2 };
+        let options = Options { subdivide: Some(subdivide), accuracy, threads: 2, ..Options::default() };
         ViewFactors::new(scene, &options, &Work::alone()).expect("all have area")
     }
 
@@ -278,11 +400,81 @@ mod tests {
     fn only_the_pairs_wanted_are_integrated() {
         let scene = radiosity_language::builtin("empty-box").expect("it is built in");
         let accuracy = Accuracy { eps: 1e-3, shadow_eps: 1e-2 };
-        let options = Options { subdivide: Some(1), accuracy, shadows: Shadows::Auto, threads: 1 };
+        let options = Options { subdivide: Some(1), accuracy, threads: 1, ..Options::default() };
         let wanted = |i, j| (i, j) == (4, 1);
         let some = ViewFactors::of_pairs(&scene, &wanted, &options, &Work::alone()).expect("all have area");
         let all = ViewFactors::new(&scene, &options, &Work::alone()).expect("all have area");
         assert_eq!([some.factor(4, 1), some.factor(1, 4)], [all.factor(4, 1), all.factor(1, 4)]);
         assert_eq!(some.row(0), vec![0.0; 6]);
+    }
+
+    /// Rooms whose walls things hide in part, and one where nothing does.
+    const ROOMS: [&str; 5] = ["empty-box", "oven", "occluder-box", "two-boxes", "cornell-box"];
+
+    fn by(transport: Transport, rays: Option<u64>, scene: &Scene) -> ViewFactors {
+        let accuracy = Accuracy { eps: 1e-4, shadow_eps: 1e-4 };
+        let options = Options { accuracy, transport, rays, threads: 2, ..Options::default() };
+        ViewFactors::new(scene, &options, &Work::alone()).expect("all have area")
+    }
+
+    /// The error of each row of a scene by so many rays, as rules find it and as it is told.
+    fn found_and_told(exact: &ViewFactors, sampled: &ViewFactors) -> Vec<[f64; 2]> {
+        let difference = |i: usize| {
+            let pairs = exact.row(i).into_iter().zip(sampled.row(i));
+            pairs.map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
+        };
+        (0..exact.names.len()).map(|i| [difference(i), sampled.errors[i]]).collect()
+    }
+
+    #[test]
+    fn rays_err_by_what_they_tell() {
+        let mut rows = Vec::new();
+        for name in ROOMS {
+            let scene = radiosity_language::builtin(name).expect("it is built in");
+            let exact = by(Transport::Exact, None, &scene);
+            for rays in [20_000, 50_000, 120_000] {
+                let sampled = by(Transport::Sampled, Some(rays), &scene);
+                assert!(sampled.choice.sampled && sampled.rays >= rays);
+                rows.extend(found_and_told(&exact, &sampled));
+            }
+        }
+        let within = |[found, told]: &&[f64; 2]| found <= &(3.0 * told);
+        let share = rows.iter().filter(within).count() as f64 / rows.len() as f64;
+        let sum = |of: usize| rows.iter().map(|row| row[of].powi(2)).sum::<f64>();
+        let ratio = (sum(0) / sum(1)).sqrt();
+        assert!(share >= 0.95 && (0.5..1.1).contains(&ratio), "{share} of rows, {ratio}: {rows:?}");
+    }
+
+    #[test]
+    fn factors_by_rays_are_symmetric_and_close() {
+        let scene = radiosity_language::builtin("empty-box").expect("it is built in");
+        let sampled = by(Transport::Sampled, Some(50_000), &scene);
+        for i in 0..6 {
+            assert!((sampled.row_sums()[i] - 1.0).abs() < 1e-5, "{}", sampled.row_sums()[i]);
+            for j in 0..6 {
+                let [one, other] = [(i, j), (j, i)].map(|(i, j)| sampled.areas[i] * sampled.factor(i, j));
+                assert!((one - other).abs() <= 4.0 * f64::EPSILON * one, "{i} {j}");
+            }
+        }
+    }
+
+    #[test]
+    fn rules_stay_where_they_end_soon() {
+        for name in ROOMS {
+            let scene = radiosity_language::builtin(name).expect("it is built in");
+            assert!(!by(Transport::Auto, None, &scene).choice.sampled, "{name}");
+        }
+        let scene = radiosity_language::builtin("empty-box").expect("it is built in");
+        assert!(by(Transport::Auto, Some(20_000), &scene).choice.sampled);
+    }
+
+    #[test]
+    fn too_little_memory_refuses_rules_and_given_rays() {
+        let scene = radiosity_language::builtin("cornell-box").expect("it is built in");
+        for (transport, rays) in [(Transport::Exact, None), (Transport::Sampled, Some(50_000))] {
+            let options = Options { transport, rays, memory: Some(1_000), ..Options::default() };
+            let refused = ViewFactors::new(&scene, &options, &Work::alone());
+            assert!(matches!(refused, Err(Failure::Memory { needed, allowed, .. }) if needed > allowed));
+        }
     }
 }

@@ -290,6 +290,18 @@ impl<'a> SampledTransport<'a> {
         &self.sent
     }
 
+    /// Pairs of elements on which rays have landed since the pilot round, or so far, if that has not ended; those that
+    /// this rank counts.
+    pub fn pairs_met(&self) -> usize {
+        self.tally.len()
+    }
+
+    /// Whether rays carry a pair, the element that comes first in front.
+    pub fn is_by_rays(&self, pair: [usize; 2]) -> bool {
+        let is_covered = pair.iter().any(|element| self.elements.list()[*element].contact.is_some());
+        !is_covered && self.counts(pair.map(|element| element as u32).into())
+    }
+
     /// Share of the rays of each element that count on no pair: they met nothing, or a back, or a pair that
     /// is carried exactly.
     pub fn shares_lost(&self) -> Vec<f64> {

@@ -15,7 +15,6 @@ use cpu_time::ProcessTime;
 use radiosity::kernel::Accuracy;
 use radiosity::scene::Source;
 use radiosity::solve::view_factors::Options;
-use radiosity::visibility::Shadows;
 use radiosity::{ViewFactors, Work, language};
 use radiosity_test_support::data::{list, number, path, table};
 use serde_json::{Value, json};
@@ -87,7 +86,7 @@ fn row(case: &Case) -> Result<Vec<String>, Box<dyn Error>> {
             continue;
         }
         let accuracy = Accuracy { eps, shadow_eps: eps };
-        let options = Options { subdivide: None, accuracy, shadows: Shadows::Auto, threads: 1 };
+        let options = Options { accuracy, threads: 1, ..Options::default() };
         let wanted = |i: usize, j: usize| {
             case.factors.iter().any(|factor| [(i, j), (j, i)].contains(&(factor.from, factor.to)))
         };

@@ -11,7 +11,6 @@ use std::error::Error;
 use radiosity::Work;
 use radiosity::kernel::Accuracy;
 use radiosity::solve::view_factors::{Options, ViewFactors};
-use radiosity::visibility::Shadows;
 
 const ROOM: &str = "crates/formats/tests/fixtures/l-room.vs3";
 
@@ -33,7 +32,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     println!("| --- | --- | --- | --- |");
     for eps in ACCURACIES {
         let accuracy = Accuracy { eps, shadow_eps: eps };
-        let options = Options { subdivide: None, accuracy, shadows: Shadows::Auto, threads: 0 };
+        let options = Options { accuracy, threads: 0, ..Options::default() };
         let factors =
             ViewFactors::of_pairs(&scene, &|i, j| pairs.contains(&[i, j]), &options, &Work::alone())?;
         let errors = pairs.iter().map(|[i, j]| (factors.factor(*i, *j) / EXACT - 1.0).abs());

@@ -35,7 +35,7 @@ pub fn blocks_of(elements: &Elements, visibility: &Visibility, accuracy: Accurac
 #[track_caller]
 pub fn factors_of(scene: &Scene, shadows: Shadows, eps: f64, shadow_eps: f64) -> ViewFactors {
     let accuracy = Accuracy { eps, shadow_eps };
-    let options = view_factors::Options { subdivide: None, accuracy, shadows, threads: 2 };
+    let options = view_factors::Options { accuracy, shadows, threads: 2, ..view_factors::Options::default() };
     ViewFactors::new(scene, &options, &Work::alone()).unwrap_or_else(|error| panic!("{error}"))
 }
 

@@ -5,7 +5,6 @@ use radiosity::audit::Effort;
 use radiosity::kernel::Accuracy;
 use radiosity::reading::checked_factors::CheckedFactors;
 use radiosity::solve::view_factors::{Options, ViewFactors};
-use radiosity::visibility::Shadows;
 use radiosity_test_support::scenes::typed;
 
 /// A can of radius 1 with its lid at this height.
@@ -20,7 +19,7 @@ fn can(height: f64) -> radiosity::Scene {
 /// The factors of a can of height `built`, judged as those of a can of height 2.
 fn judged(built: f64) -> (ViewFactors, CheckedFactors) {
     let accuracy = Accuracy { eps: 1e-6, shadow_eps: 1e-6 };
-    let options = Options { subdivide: None, accuracy, shadows: Shadows::Auto, threads: 2 };
+    let options = Options { accuracy, threads: 2, ..Options::default() };
     let factors = ViewFactors::new(&can(built), &options, &Work::alone()).expect("all have area");
     let effort = Effort::of_walks(65536.0);
     let told = CheckedFactors::judged(&can(2.0), &factors, &[0, 1, 2], &|_, _| true, &effort, &Work::alone());

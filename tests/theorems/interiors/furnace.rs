@@ -10,7 +10,6 @@ use radiosity::reading::reader::{ReadMode, Reader};
 use radiosity::scene::{Scene, Source};
 use radiosity::solve::view_factors::{self, ViewFactors};
 use radiosity::solve::{Options, solve};
-use radiosity::visibility::Shadows;
 use radiosity_geom::{DVec3, Motion};
 
 use crate::interiors::interior::Interior;
@@ -115,10 +114,9 @@ fn furnace(scene: &Scene, writing: &Writing, sensors: &[Probe]) -> Result<(f64, 
 
 fn rows(scene: &Scene) -> Result<(f64, String), String> {
     let options = view_factors::Options {
-        subdivide: None,
         accuracy: Accuracy { eps: EPS, shadow_eps: EPS },
-        shadows: Shadows::Auto,
         threads: 2,
+        ..view_factors::Options::default()
     };
     let factors = ViewFactors::new(scene, &options, &Work::alone()).map_err(|error| error.to_string())?;
     let told = factors.left_in_blocks.max(EPS);

@@ -119,7 +119,7 @@ fn a_ball_in_a_sphere_hides_a_part_of_it() {
     for (hiding, eps, shadow_eps) in [(Shadows::Rays, 1e-3, 3e-3), (Shadows::Auto, 1e-6, 1e-5)] {
         let most = if hiding == Shadows::Rays { 1e-3 } else { shadow_eps };
         let accuracy = Accuracy { eps, shadow_eps };
-        let options = Options { subdivide: None, accuracy, shadows: hiding, threads: 2 };
+        let options = Options { accuracy, shadows: hiding, threads: 2, ..Options::default() };
         let found = ViewFactors::new(&scene, &options, &Work::alone()).expect("both have area");
         for (i, j, exact) in [(0, 0, 0.0), (0, 1, 1.0), (1, 0, 0.25), (1, 1, 0.75)] {
             let own = found.factor(i, j);

@@ -3,7 +3,6 @@
 use radiosity::kernel::Accuracy;
 use radiosity::scene::Scene;
 use radiosity::solve::view_factors::Options;
-use radiosity::visibility::Shadows;
 use radiosity::{ViewFactors, Work};
 use radiosity_test_support::scenes::typed;
 
@@ -15,7 +14,7 @@ fn room(surfaces: &[&str]) -> Scene {
 
 fn factors(scene: &Scene, eps: f64) -> ViewFactors {
     let accuracy = Accuracy { eps, shadow_eps: eps };
-    let options = Options { subdivide: None, accuracy, shadows: Shadows::Auto, threads: 2 };
+    let options = Options { accuracy, threads: 2, ..Options::default() };
     ViewFactors::new(scene, &options, &Work::alone()).expect("the surfaces have areas")
 }
 

@@ -79,7 +79,11 @@ impl TransportChoice {
         let limit = (AS_GOOD * finer * usual).min(in_time);
         let (price, about) = match exact_price_at_least(scene) {
             price if price > limit => (price, "more than"),
-            _ => (exact_price(scene, options, visibility()), "about"),
+            _ => {
+                let visibility = visibility();
+                let how = elements_of(options, visibility);
+                (exact_price(scene, &how, &|_, _| true, visibility), "about")
+            }
         };
         let why = format!("exact blocks take as long as {about} {price:.0e} rays, the limit is {limit:.0e}");
         Self { sampled: price > limit, why }
@@ -91,21 +95,32 @@ fn exact_price_at_least(scene: &Scene) -> f64 {
     SEEING * LEAST * 0.5 * (scene.surfaces.len() as f64).powi(2)
 }
 
-/// The price of exact blocks, in rays, from some of the pairs of surfaces.
-fn exact_price(scene: &Scene, options: &Options, visibility: &Visibility) -> f64 {
+/// The elements of exact blocks.
+fn elements_of(options: &Options, visibility: &Visibility) -> Discretization {
     let subdivide = match options.subdivide {
         Some(cuts) => Subdivide::Uniform(cuts),
         None => Subdivide::Auto { occluded: visibility.any_shadow() },
     };
     let Options { order, space, layers, .. } = *options;
-    let sizes = cut_sizes(scene, &Discretization { order, space, subdivide, layers });
+    Discretization { order, space, subdivide, layers }
+}
+
+/// The price of the exact blocks between the elements of surfaces that are cut as `how` says, in rays, from some of
+/// the pairs of surfaces that are `wanted`.
+pub(crate) fn exact_price(
+    scene: &Scene,
+    how: &Discretization,
+    wanted: &dyn Fn(usize, usize) -> bool,
+    visibility: &Visibility,
+) -> f64 {
+    let sizes = cut_sizes(scene, how);
     let outlines: Vec<Outline> = scene.surfaces.iter().map(Outline::of).collect();
     let pairs = scene.surfaces.len() * (scene.surfaces.len() - 1) / 2;
     let looked_at = pairs.min(LOOKED_AT);
     let of_pair = |k: usize| {
         let [i, j] = pair(k * pairs / looked_at);
         let [a, b] = [&outlines[i], &outlines[j]];
-        if !a.exchanges_with(b) {
+        if !wanted(i, j) || !a.exchanges_with(b) {
             return 0.0;
         }
         let pair =

@@ -7,6 +7,8 @@ use radiosity_work::wording::{Wording, set, words};
 pub enum MemoryReduction {
     /// A lower number of rays.
     Rays(u64),
+    /// Rays instead of rules.
+    SampledTransport,
     /// A solver that keeps no factors.
     ConjugateGradients,
     /// A lower order.
@@ -24,6 +26,7 @@ impl MemoryReduction {
     fn wording(&self) -> Wording {
         match self {
             Self::Rays(rays) => set("rays", rays),
+            Self::SampledTransport => set("transport", "sampled"),
             Self::ConjugateGradients => words("the solver cg"),
             Self::Order(order) => words(format!("order {order}")),
             Self::OrderAlone(order) => words(format!("order {order} without a wanted accuracy")),

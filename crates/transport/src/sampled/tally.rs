@@ -134,6 +134,11 @@ impl Tally {
         row != column && !is_small && self.full.as_ref().is_some_and(|set| !full(set))
     }
 
+    /// Number of pairs between which a ray went.
+    pub(super) fn len(&self) -> usize {
+        self.rows.iter().map(|row| row.pairs.len()).sum()
+    }
+
     /// The sums of all pairs between which a ray went, by rows and columns ascending.
     pub(super) fn iter(&self) -> impl Iterator<Item = Sums<'_>> {
         self.rows.iter().enumerate().flat_map(|(index, row)| {

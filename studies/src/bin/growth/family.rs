@@ -56,7 +56,7 @@ pub(crate) fn of_factors(text: &str) -> Row {
     let mut seconds = Vec::new();
     let scene = read(&mut seconds, text);
     let accuracy = radiosity::Options::default().accuracy();
-    let options = Options { subdivide: None, accuracy, shadows: Shadows::Auto, threads: 1 };
+    let options = Options { accuracy, threads: 1, ..Options::default() };
     timed(&mut seconds, || Visibility::new(&scene, Shadows::Auto, accuracy.shadow_eps));
     let factors = timed(&mut seconds, || ViewFactors::new(&scene, &options, &Work::alone()));
     factors.expect("all surfaces have area");

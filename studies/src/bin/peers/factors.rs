@@ -8,7 +8,6 @@ use radiosity::Work;
 use radiosity::kernel::{Accuracy, polygon_exchange};
 use radiosity::scene::Scene;
 use radiosity::solve::view_factors::{Options, ViewFactors};
-use radiosity::visibility::Shadows;
 use radiosity_geom::DVec3;
 
 use crate::timed;
@@ -68,8 +67,8 @@ fn of_scene(scene: &Scene, exact: f64) -> Result<String, Box<dyn Error>> {
     let options = Options {
         subdivide: Some(1),
         accuracy: Accuracy { eps: 1e-12, shadow_eps: 1e-3 },
-        shadows: Shadows::Auto,
         threads: 1,
+        ..Options::default()
     };
     let (seconds, factors) = timed(|| ViewFactors::new(scene, &options, &Work::alone()));
     Ok(cell(factors?.factor(0, 1), exact, seconds))
