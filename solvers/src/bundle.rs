@@ -13,8 +13,8 @@
 use faer::linalg::matmul::matmul;
 use faer::{Accum, MatMut, MatRef, Par};
 
-/// Columns of a bundle: those of faer's widest kernel on registers of 512 bits; 24 or 32 take as long. A column alone takes
-/// some three times as long as its matrix takes to be read, little beside the factors.
+/// Columns of a bundle: those of faer's widest kernel on registers of 512 bits; 24 or 32 take as long. A column alone
+/// takes some three times as long as its matrix takes to be read, little beside the factors.
 pub(crate) const COLUMNS: usize = 48;
 
 /// Rows of a panel: within it the triangle is solved entry by entry. Chosen.
@@ -134,9 +134,11 @@ mod tests {
             for c in 0..5 {
                 let column = c * dim..(c + 1) * dim;
                 let [b, x, y] = [&columns, &lower, &transposed].map(|all| &all[column.clone()]);
-                let sum = |of: &dyn Fn(usize) -> f64, range: std::ops::Range<usize>| range.map(of).sum::<f64>();
+                let sum =
+                    |of: &dyn Fn(usize) -> f64, range: std::ops::Range<usize>| range.map(of).sum::<f64>();
                 for i in 0..dim {
-                    let near = |found: f64, right: f64| assert!((found - right).abs() < 1e-12, "{found} {right}");
+                    let near =
+                        |found: f64, right: f64| assert!((found - right).abs() < 1e-12, "{found} {right}");
                     near(sum(&|j| entries[j * dim + i] * x[j], 0..i + 1), b[i]);
                     near(sum(&|j| entries[i * dim + j] * y[j], i..dim), b[i]);
                 }

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use crate::program::done;
 
-/// What a run says that succeeds.
+/// The summary of a run that succeeds.
 fn told(here: &Path, args: &[&str]) -> String {
     let [_, told] = done(here, args);
     told
@@ -36,7 +36,7 @@ fn pictures_take_what_is_done_in_time() {
     assert!(!render("1000").contains("time was"));
 }
 
-/// What carries the light is chosen by the time that is left.
+/// The carrier of the light is chosen by the time that is left.
 #[test]
 fn exact_blocks_that_take_too_long_give_way_to_rays() {
     let folder = tempfile::tempdir().unwrap();

@@ -161,7 +161,11 @@ pub(crate) fn run(
     let figures = figures.collect();
     run.add_checked(checked.map(|own| own.checked), reading.read);
     run.take_error_of_walks(readings.iter().map(|reading| (&reading.irradiance[..], reading.deviation)));
-    run.add_read_error(ReadError::of(readings.iter().map(|reading| reading.deviation)), reading.eps, pace.as_ref());
+    run.add_read_error(
+        ReadError::of(readings.iter().map(|reading| reading.deviation)),
+        reading.eps,
+        pace.as_ref(),
+    );
     run.add_planes(figures);
     if let Sensors::Points(_) = sensors {
         run.add_points(&readings);

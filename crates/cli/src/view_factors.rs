@@ -133,7 +133,7 @@ fn costs(scene: &Scene, factors: &ViewFactors, seconds: f64) -> Vec<String> {
     lines
 }
 
-/// What rays that carried the factors leave, and why they did.
+/// The errors that rays left in the factors that they carried, and why they did.
 fn by_rays(factors: &ViewFactors) -> String {
     let errors = factors.relative_errors();
     let part = |share: f64| errors.get((share * errors.len() as f64) as usize).or(errors.last());

@@ -45,6 +45,7 @@ use radiosity_visibility::Visibility;
 
 use crate::solution::{Solution, SurfacePlace};
 use crate::tolerances::FIRST_OVER_SECOND;
+pub use doubtful_places::{DOUBTFUL, DOUBTFUL_PIXEL};
 
 /// Error of the direct light of elements over that of the light which is gathered from them, where it comes from
 /// skies that are not uniform: the integral over what they reflect smooths it. Elsewhere errors of cells at one outline

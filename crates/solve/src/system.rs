@@ -71,8 +71,8 @@ use vector::{distance, per_element, sum};
 /// blocks takes some four times as long for each entry. Chosen.
 const THIN: f64 = 0.125;
 
-/// Right-hand sides from which on a direct method is wanted for more unknowns, and the most of these: twice 160 MB. For 32 of
-/// them conjugate gradients take about as many products as a factorisation of a thin matrix takes time. Chosen.
+/// Right-hand sides from which on a direct method is wanted for more unknowns, and the most of these: twice 160 MB. For
+/// 32 of them conjugate gradients take about as many products as a factorisation of a thin matrix takes time. Chosen.
 pub(crate) const MANY: usize = 32;
 pub(crate) const MOST_FOR_MANY: usize = 4500;
 

@@ -24,26 +24,28 @@
 //! and rounding alone where closed forms carry a row. Rays carry the pairs where rules would take long ([`plan`]);
 //! what they leave in a row is about the largest of its errors ([`row_noise`]), and adds to that of the rules.
 
+mod options;
 mod plan;
-mod by_rays;
 mod row_noise;
+mod by_rays;
 
 use std::time::{Duration, Instant};
 
 use radiosity_elements::cells::Layers;
 use radiosity_elements::space::Space;
 use radiosity_elements::{Discretization, Elements, Subdivide};
-use radiosity_kernel::{Accuracy, Blocks, PairCounts, PlacedBlock, RowError, WorstError};
+use radiosity_kernel::{Blocks, PairCounts, PlacedBlock, RowError, WorstError};
 use radiosity_scene::Scene;
 use radiosity_solvers::method::Method;
 use radiosity_transport as transport;
 use radiosity_transport::{Demand, FactorEnds};
-use radiosity_visibility::{Shadows, Visibility};
+use radiosity_visibility::Visibility;
 use radiosity_work::{Progress, Stage, Work};
 
 use crate::driver::memory_estimate::MemoryEstimate;
-use crate::driver::{Failure, MemoryReduction, Transport, TransportChoice, in_threads};
+use crate::driver::{Failure, MemoryReduction, TransportChoice, in_threads};
 use by_rays::{Carried, FactorRays};
+pub use options::Options;
 use plan::Plan;
 use row_noise::RowNoise;
 
@@ -59,49 +61,6 @@ const REACHED: f64 = 0.1;
 const SAMPLE: f64 = 2e-8;
 const RAY: f64 = 4e-7;
 
-/// Options of view factors: cuts, accuracies, shadows, what carries the pairs, memory and threads.
-#[derive(Clone, Copy, Debug)]
-pub struct Options {
-    /// Cuts along u and v of surfaces that do not state their own; None chooses. The factors are those of
-    /// whole surfaces; cuts make shadows more accurate where rules find them.
-    pub subdivide: Option<usize>,
-    /// Accuracy of the exchange of two elements.
-    pub accuracy: Accuracy,
-    /// Ways to find shadows between surfaces.
-    pub shadows: Shadows,
-    /// Carriers of the pairs.
-    pub transport: Transport,
-    /// Rays, where these carry the pairs; None: by the number of surfaces and the accuracy.
-    pub rays: Option<u64>,
-    /// Most bytes to use; rules, or a given number of rays, that need more are refused.
-    pub memory: Option<u64>,
-    /// Threads, 0 for all that a rank may use; the result does not depend on it.
-    pub threads: usize,
-}
-
-impl Default for Options {
-    /// Every pair by rules, to 1e-3 with its shadows.
-    fn default() -> Self {
-        Self {
-            subdivide: None,
-            accuracy: Accuracy { eps: 1e-3, shadow_eps: 1e-3 },
-            shadows: Shadows::Auto,
-            transport: Transport::Exact,
-            rays: None,
-            memory: None,
-            threads: 0,
-        }
-    }
-}
-
-impl Options {
-    /// The accuracies of pairs and their shadows.
-    fn block_accuracy(&self) -> Accuracy {
-        let Accuracy { eps, shadow_eps } = self.accuracy;
-        Accuracy { eps, shadow_eps: self.shadows.accuracy(eps, shadow_eps) }
-    }
-}
-
 /// The view factors of a scene. Only pairs that see each other take memory.
 #[derive(Debug)]
 pub struct ViewFactors {
@@ -114,7 +73,7 @@ pub struct ViewFactors {
     exchanges: Vec<Vec<(u32, f64)>>,
     /// The method's own estimate of the largest error of a factor in the row of each surface.
     pub errors: Vec<f64>,
-    /// What carried the pairs, and why.
+    /// The carrier of the pairs, and why.
     pub choice: TransportChoice,
     /// Pairs of elements that rules carried where rays carried the others.
     pub exact_pairs: usize,
@@ -268,7 +227,7 @@ struct Constants {
     elements: Elements,
     blocks: Blocks,
     choice: TransportChoice,
-    /// What rays leave, where they carry the pairs.
+    /// The errors that rays leave, where they carry the pairs.
     noise: Option<RowNoise>,
     exact_pairs: usize,
 }
@@ -375,7 +334,11 @@ fn exchanges(
 
 #[cfg(test)]
 mod tests {
+    use radiosity_kernel::Accuracy;
+    use radiosity_visibility::Shadows;
+
     use super::*;
+    use crate::driver::Transport;
 
     fn factors(scene: &Scene, subdivide: usize) -> ViewFactors {
         let accuracy = Accuracy { eps: 1e-6, shadow_eps: 1e-2 };

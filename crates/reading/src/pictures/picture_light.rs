@@ -7,6 +7,7 @@ use radiosity_light::penumbra::{EmitterFactor, Penumbra, RayEffort, VisibleEmitt
 use radiosity_light::tolerances::DARK;
 use radiosity_solve::gather::gather_method::{GatherMethod, GatheredBy, Gathering};
 use radiosity_solve::gather::read_irradiance::ReadIrradiance;
+use radiosity_solve::gather::{DOUBTFUL, DOUBTFUL_PIXEL};
 use radiosity_solve::solution::Solution;
 use radiosity_visibility::Visibility;
 use serde::{Deserialize, Serialize};
@@ -70,16 +71,8 @@ pub(crate) struct PictureLight<'a> {
     direct: DirectSource<'a>,
     /// Where the rest is gathered; None where it is read from the polynomials.
     rest: Option<Gathering<'a>>,
-    shown_by: ShownBy,
-}
-
-/// Places that show the light.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum ShownBy {
-    /// Pixels of one picture.
-    Pixels,
-    /// Texels, which are seen from near and far: polynomials are not taken where they may miss much.
-    Texels,
+    /// Doubt about the polynomials around a place, over its light, from which on the rest is read anew.
+    doubt: f64,
 }
 
 #[derive(Debug)]
@@ -106,13 +99,14 @@ impl<'a> PictureLight<'a> {
             _ => DirectSource::Rays(Penumbra::new(&emitters, visibility, IN_PENUMBRA * eps)),
         };
         let mean = solution.mean_arriving().iter().sum();
-        let (shown, shown_by) = (Quantity::default(), ShownBy::Pixels);
-        Self { solution, eps, mean, shown, eye: None, direct, rest, shown_by }
+        let shown = Quantity::default();
+        Self { solution, eps, mean, shown, eye: None, direct, rest, doubt: DOUBTFUL_PIXEL }
     }
 
-    /// This light, as texels show it: the rest is read anew where polynomials may miss much of it.
+    /// This light, as texels show it, which are seen from near and far: the rest is read anew where polynomials may miss
+    /// more of it than counts in pixels.
     pub(crate) fn of_texels(self) -> Self {
-        Self { shown_by: ShownBy::Texels, ..self }
+        Self { doubt: DOUBTFUL, ..self }
     }
 
     /// This light, of which a picture shows the quantity `shown`, as seen from the point `eye`.
@@ -193,10 +187,8 @@ impl<'a> PictureLight<'a> {
         };
         let other = self.beside(seen, lit, error_factor);
         let point = seen.receiver_point();
-        let ReadIrradiance { irradiance, deviation } = match self.shown_by {
-            ShownBy::Pixels => gathering.reflected(&point, &other),
-            ShownBy::Texels => gathering.reflected_for_sure(&point, &other),
-        };
+        let ReadIrradiance { irradiance, deviation } =
+            gathering.reflected_for_sure(&point, lit, &other, self.doubt);
         let all: f64 = irradiance.iter().chain(&other).sum();
         ComputedLight { bands: irradiance, error: deviation.map_or(0.0, |own| own.relative * all) }
     }

@@ -7,13 +7,11 @@
 //!
 //! It is right within a factor of three, which is enough for a part of it to be spent.
 
-use super::outcome::Outcome;
-
 /// Seconds of a term of the kernel's rules with what hides it, of a ray with the exact pairs beside it, and of a number
 /// of a matrix in an iteration. Measured: some seventy rooms of 0.04 to 2 s, and the Cornell box.
 const SAMPLE: f64 = 1e-7;
 const RAY: f64 = 5e-7;
-const NUMBER: f64 = 1e-9;
+pub(super) const NUMBER: f64 = 1e-9;
 
 /// Seconds of so many terms of the kernel's rules.
 pub fn seconds_of_samples(samples: f64) -> f64 {
@@ -23,14 +21,4 @@ pub fn seconds_of_samples(samples: f64) -> f64 {
 /// Seconds of so many rays.
 pub(crate) fn seconds_of_rays(rays: f64) -> f64 {
     RAY * rays
-}
-
-impl Outcome {
-    /// Seconds of the kernel's rules, of rays, and of the systems.
-    pub fn seconds_by_counts(&self) -> f64 {
-        let rays = self.rays.max(self.sampling.map_or(0, |sampling| sampling.rays));
-        let in_bands = self.iterations * self.solution.bands().len();
-        let numbers = (self.unknowns as f64).powi(2) * in_bands as f64;
-        seconds_of_samples(self.samples as f64) + seconds_of_rays(rays as f64) + NUMBER * numbers
-    }
 }

@@ -76,12 +76,7 @@ impl<'a> AssemblyPlan<'a> {
     }
 
     /// All decisions about `scene`, with so much time `left` if that is limited.
-    pub(super) fn decided(
-        self,
-        scene: &Scene,
-        options: &Options,
-        left: Option<Duration>,
-    ) -> Decisions<'a> {
+    pub(super) fn decided(self, scene: &Scene, options: &Options, left: Option<Duration>) -> Decisions<'a> {
         let visibility = options.visibility(scene);
         let choice = self.choice.unwrap_or_else(|| TransportChoice::of(scene, options, left, || &visibility));
         let rays = choice.sampled.then(|| options.ray_budget(scene));

@@ -11,6 +11,7 @@ use serde::Serialize;
 use crate::checks::Checks;
 use crate::solution::Solution;
 
+use super::cost::{NUMBER, seconds_of_rays, seconds_of_samples};
 use super::sampling::Sampling;
 use super::shots::Shots;
 use super::transport_choice::TransportChoice;
@@ -91,6 +92,14 @@ impl FrameLight {
 }
 
 impl Outcome {
+    /// Seconds of the kernel's rules, of rays, and of the systems.
+    pub fn seconds_by_counts(&self) -> f64 {
+        let rays = self.rays.max(self.sampling.map_or(0, |sampling| sampling.rays));
+        let in_bands = self.iterations * self.solution.bands().len();
+        let numbers = (self.unknowns as f64).powi(2) * in_bands as f64;
+        seconds_of_samples(self.samples as f64) + seconds_of_rays(rays as f64) + NUMBER * numbers
+    }
+
     /// The outcome for the same light at the factors of the groups of `scene`, which is the scene of this
     /// solution; None if the light of its groups is not kept apart.
     pub fn relight(&self, scene: &Scene) -> Option<Self> {

@@ -5,8 +5,8 @@ use std::time::Duration;
 
 use radiosity_solvers::method::Access;
 use radiosity_solvers::{Report, Settings, SolveError, Step};
-use radiosity_work::{Deadline, Work};
 use radiosity_work::interruption::{self, Interruption, check_interrupt};
+use radiosity_work::{Deadline, Work};
 
 use crate::system::ritz::{Ritz, RitzSolution};
 

@@ -149,7 +149,7 @@ impl<'a> Gathering<'a> {
     }
 
     /// The reflected light of a point, one of many, beside the direct light `lit` (W m⁻² per band).
-    pub fn reflected(&self, receiver: &ReceiverPoint, lit: &[f64]) -> ReadIrradiance {
+    fn reflected(&self, receiver: &ReceiverPoint, lit: &[f64]) -> ReadIrradiance {
         let in_gap = self.doubtful.as_ref().and_then(|places| places.reflected_in_gap(receiver, lit));
         in_gap.unwrap_or_else(|| match &self.by {
             GatheredBy::Cells(gather) => by_cells(gather, receiver, lit),
@@ -157,11 +157,18 @@ impl<'a> Gathering<'a> {
         })
     }
 
-    /// As [`Gathering::reflected`], read anew if the point is doubtful.
-    pub fn reflected_for_sure(&self, receiver: &ReceiverPoint, lit: &[f64]) -> ReadIrradiance {
+    /// As [`Gathering::reflected`], accurate relative to this and the light `other` (W m⁻² per band), and read anew if
+    /// there is more than this `doubt` about the point over all its light, of which so much is `lit`.
+    pub fn reflected_for_sure(
+        &self,
+        receiver: &ReceiverPoint,
+        lit: &[f64],
+        other: &[f64],
+        doubt: f64,
+    ) -> ReadIrradiance {
         let outside = self.doubtful.as_ref().filter(|places| !places.is_in_gap(receiver));
-        let anew = outside.and_then(|places| places.reflected_anew(receiver, lit));
-        anew.unwrap_or_else(|| self.reflected(receiver, lit))
+        let anew = outside.and_then(|places| places.reflected_anew(receiver, lit, other, doubt));
+        anew.unwrap_or_else(|| self.reflected(receiver, other))
     }
 }
 

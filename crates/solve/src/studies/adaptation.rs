@@ -68,7 +68,7 @@ impl Solved {
         }
         let made = OnceLock::new();
         let visibility = || made.get_or_init(|| options.visibility(&scene));
-        let choose = || TransportChoice::of(&scene, options, work.left(), visibility);
+        let choose = || TransportChoice::of(&scene, options, None, visibility);
         let choice = options.in_threads(work.ranks, choose)?;
         if is_by_rays(&scene, options, goal, &choice) {
             return by_rays(scene, options, &adaptation);

@@ -39,7 +39,7 @@ const PAIR: f64 = 130.0;
 /// Pairs that are met where nothing is said of rays: a gigabyte with the rest of a run. Chosen.
 const USUALLY_MOST: f64 = 6e6;
 
-/// What carries view factors by rays.
+/// The transport that carries view factors by rays.
 pub(super) struct FactorRays<'a> {
     pub elements: &'a Elements,
     pub visibility: &'a Visibility,

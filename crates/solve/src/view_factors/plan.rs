@@ -7,7 +7,7 @@ use radiosity_elements::Discretization;
 use radiosity_scene::Scene;
 use radiosity_visibility::{Shadows, Visibility};
 
-use super::Options;
+use super::options::Options;
 use crate::driver::cost::seconds_of_rays;
 use crate::driver::{Transport, TransportChoice, exact_price};
 

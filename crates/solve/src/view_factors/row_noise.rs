@@ -46,7 +46,7 @@ struct RowVariance {
     largest: f64,
 }
 
-/// What two surfaces exchange, by the halves of the rays.
+/// Exchange of two surfaces, by the halves of the rays.
 #[derive(Clone, Copy, Debug)]
 struct Exchange {
     surface: usize,
@@ -121,13 +121,13 @@ impl RowVariance {
     }
 }
 
-/// What two elements exchange (length²), by the even and by the odd rays.
+/// Exchange of two elements (length²), by the even and by the odd rays.
 struct Halves {
     pair: [usize; 2],
     by: [f64; 2],
 }
 
-/// What two elements exchange by some of the rays (length²).
+/// Exchange of two elements by some of the rays (length²).
 struct Half {
     pair: [usize; 2],
     exchange: f64,

@@ -1,4 +1,4 @@
-//! What the command line asks for.
+//! Wishes of the command line.
 
 use std::error::Error;
 use std::str::FromStr;
@@ -23,7 +23,7 @@ pub(crate) struct Asked {
 }
 
 impl Asked {
-    /// What was typed.
+    /// The words that were typed.
     pub(crate) fn typed() -> Result<Self, Box<dyn Error>> {
         let view = ViewRequest::default();
         let mut asked = Self { scene: None, view, sizes: Vec::new(), frames: None, judge: LONGEST };

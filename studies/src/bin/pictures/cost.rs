@@ -32,7 +32,7 @@ pub(crate) struct Cost {
     pub(crate) gathers: usize,
 }
 
-/// What work reports of pictures.
+/// Reports of the work on pictures.
 #[derive(Default)]
 struct Told {
     forecast: f64,

@@ -8,8 +8,8 @@
 //! sizes; without one those that are built in. `s` are seconds of the processor; `forecast` is what is told before
 //! the picture, `gathers` the places at which reflected light is gathered, and `exponent` p of seconds ~ pixelsᵖ since
 //! the size before. The error is that of the radiosity at 1000 pixels, evenly chosen, fewer where these take more than
-//! a minute or `--judge`, lamps left out, over the root mean square of the radiosity: against light gathered to 1e-3 or less. A
-//! joint is what the error changes by, over the mean radiosity, from pixels to the next where these see different
+//! a minute or `--judge`, lamps left out, over the root mean square of the radiosity: against light gathered to 1e-3 or
+//! less. A joint is what the error changes by, over the mean radiosity, from pixels to the next where these see different
 //! elements of one surface: the mean over sixteen pixels along a joint, since a step shows where it runs on; the
 //! largest of fifty such runs, evenly chosen, or of as many as a minute takes. The largest step between two single
 //! pixels stands beside it: it has the noise of both pixels and of the light that they are compared with. With
@@ -34,7 +34,7 @@ use asked::Asked;
 use cost::Cost;
 use errors::{Errors, Joints};
 
-/// What is taken unless asked for; the last ones in smaller sizes.
+/// Scenes that are taken unless others are asked for; the last ones in smaller sizes.
 const SCENES: [(&str, Option<[u32; 2]>); 6] = [
     ("cornell-box", None),
     ("two-boxes", None),
