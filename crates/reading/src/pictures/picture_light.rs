@@ -103,8 +103,8 @@ impl<'a> PictureLight<'a> {
         Self { solution, eps, mean, shown, eye: None, direct, rest, doubt: DOUBTFUL_PIXEL }
     }
 
-    /// This light, as texels show it, which are seen from near and far: the rest is read anew where polynomials may miss
-    /// more of it than counts in pixels.
+    /// This light, as texels show it, which are seen from near and far: the rest is read anew where polynomials may
+    /// miss less of it than counts in pixels.
     pub(crate) fn of_texels(self) -> Self {
         Self { doubt: DOUBTFUL, ..self }
     }

@@ -56,10 +56,10 @@ const SHADOWED: f64 = 0.4;
 /// the patches of the Cornell box have more.
 const DOUBTFUL_OVER_PATCH: f64 = 0.2;
 
-/// As [`DOUBTFUL`], of pixels, beside each other and many. Measured beside pictures with that: the Cornell box of 256²
-/// pixels has 333 with errors of a fifth of themselves and more where none is read anew, in the dark before the feet of
-/// the blocks, 45 with .25 in 1.01 times the time, 40 with .1 in 1.09, none in 2.5 times the time; a soda shop, an office
-/// and a teapot take 2 to 2.1, 1.4 and 2.1 times as long with .02, and .8 to 1.1 times as with none with .25.
+/// As [`DOUBTFUL`], of pixels, which are many. Measured in the Cornell box, 256² pixels: 333 were off by a fifth of
+/// themselves where none was read anew, in the dark before the feet of the blocks. With .25 there are 45, in 1.01 times
+/// the time; with .1 40, in 1.09 times; with [`DOUBTFUL`] none, in 2.5 times the time, and a soda shop, an office and a
+/// teapot take 2, 1.4 and 2.1 times as long.
 pub const DOUBTFUL_PIXEL: f64 = 0.25;
 
 /// Distance of what a ray met, over the width of the element there, up to which a surface that reaches into the
