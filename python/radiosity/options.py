@@ -83,7 +83,7 @@ class Method(TypedDict, total=False):
         Wanted relative error: raises order, layers, cuts and accuracies until it is reached.
 
     time_limit: float
-        Seconds after which no finer run begins, and rays end, where an accuracy is wanted.
+        Seconds after which rays end, and no finer run begins.
 
     tensor: bool
         Polynomials of that degree in each coordinate, not in both together.
@@ -365,7 +365,7 @@ class Transfers(TypedDict, total=False):
         How it is found out what surfaces hide from each other [default: auto].
 
     transport: "auto", "exact" or "sampled"
-        How the pairs of elements are carried [default: exact].
+        How the pairs of elements are carried [default: auto for view factors, exact for heat].
 
     rays: int
         Rays of the sampled transport [default: by the number of surfaces and the accuracy].

@@ -187,7 +187,7 @@ fn warn_of_rays(
     deviations: impl Iterator<Item = Option<Deviation>>,
     asked: f64,
 ) -> PyResult<()> {
-    match ReadError::of(deviations).and_then(|error| error.warning(asked)) {
+    match ReadError::of(deviations).and_then(|error| error.warning(asked, false)) {
         Some(warning) => warn(py, &warning.message),
         None => Ok(()),
     }

@@ -155,7 +155,7 @@ pub(crate) fn run(
 }
 
 /// A way of taking a picture.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy)]
 struct Way {
     read: ReadMode,
     /// Camera rays along each side of a pixel.
@@ -256,7 +256,9 @@ impl RenderArgs {
             self.run.method.read(self.read).unwrap_or(ReadMode::Gather)
         };
         let asked = Way { read, samples: self.samples(), is_rough: self.preview, is_hurried: false };
-        let Some(left) = run.time_left() else { return asked };
+        // A wanted accuracy counts more than the time.
+        let is_bound = read == ReadMode::Basis || self.run.method.wanted_accuracy().is_some();
+        let Some(left) = run.time_left().filter(|_| !is_bound) else { return asked };
         let (visibility, shown) = (run.solved.visibility(), self.shown_quantity());
         let fits = |way: &Way| {
             let Way { read, samples, .. } = *way;
@@ -264,9 +266,7 @@ impl RenderArgs {
             seconds <= left.as_secs_f64()
         };
         let basis = Way::hurried(ReadMode::Basis);
-        let way = [asked, Way::hurried(ReadMode::Direct)].into_iter().find(fits).unwrap_or(basis);
-        run.work().ranks.note_choice(&way);
-        way
+        [asked, Way::hurried(ReadMode::Direct)].into_iter().find(fits).unwrap_or(basis)
     }
 
     /// The quantity that the pixels hold.

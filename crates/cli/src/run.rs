@@ -230,9 +230,10 @@ impl Run {
         self.start.work()
     }
 
-    /// The instant until which light is read, where time is limited; None among several ranks, whose clocks differ.
+    /// The instant until which light is read, where time is limited; None among several ranks, whose clocks differ, and
+    /// where pieces are recorded, which a later run takes for done.
     fn read_until(&self) -> Option<Instant> {
-        self.start.read_until.filter(|_| self.start.ranks.are_alone())
+        self.start.read_until.filter(|_| self.start.ranks.are_alone() && self.start.ranks.journal().is_none())
     }
 
     /// The time left to read light, where it is limited.
@@ -258,8 +259,6 @@ impl Run {
             GatherMethod::Auto if !are_soon_done => GatherMethod::Rays,
             by => by,
         };
-        // Neither follows from what was typed.
-        self.start.ranks.note_choice(&("paced", by));
         reader(&ReadSettings { by, ..*settings }).paced(pace)
     }
 

@@ -52,6 +52,7 @@ pub(crate) fn run(args: &SolveArgs, loaded: Loaded, ranks: &Ranks) -> Result<(),
     let solve = if args.keep_partial { Run::keeping_parts } else { Run::alone };
     let mut run = solve(loaded, &args.run, ranks)?;
     let Outcome { converged, residual, sampling, .. } = run.solved.outcome;
+    let is_late = run.work().is_late_here();
     let written = format.write(&run.solved, &path, &output)?;
     let reading = format.reading(&args.run.method, &run.solved, run.is_saved());
     run.check_solution(&reading)?;
@@ -59,7 +60,7 @@ pub(crate) fn run(args: &SolveArgs, loaded: Loaded, ranks: &Ranks) -> Result<(),
     match sampling {
         _ if !converged => Err(CliError::Partial { path, residual }),
         // Where time is limited, the summary tells it.
-        Some(Sampling { rays, planned, .. }) if rays < planned && args.run.method.time_limit.is_none() => {
+        Some(Sampling { rays, planned, .. }) if rays < planned && !is_late => {
             Err(CliError::Stopped { path, rays, planned })
         }
         _ => Ok(()),

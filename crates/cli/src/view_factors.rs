@@ -38,6 +38,12 @@ Materials and emitters are not needed. Instead of a scene, SCENE may be a plain 
   .json  [[[0,0,0],[1,0,0],[0,1,0]], …], a list of vertices for each polygon
 Vertices run counterclockwise as seen from the front, which alone sees; the back blocks.";
 
+/// Seconds of rules from which the way by rays is named. Chosen.
+const LONG: f64 = 60.0;
+
+/// The words before a forecast of so long: rays take less.
+const OTHER_WAY: &str = "view factors (--transport auto takes rays where rules take long)";
+
 /// Prints the view factors F_ij between the surfaces of a scene, each with its error, and their row sums
 #[derive(Debug, Args)]
 #[command(after_help = NOTES)]
@@ -103,7 +109,10 @@ pub(crate) fn run(args: &ViewFactorsArgs, given: &TypedOptions, ranks: &Ranks) -
     let chosen: BTreeSet<[usize; 2]> = pairs.iter().copied().collect();
     let wanted = |i, j| chosen.is_empty() || chosen.contains(&[i, j]);
     let show = |event| match event {
-        Event::Expected { seconds, .. } => progress.announce("view factors", seconds),
+        Event::Expected { seconds, .. } => {
+            let what = if seconds > LONG { OTHER_WAY } else { "view factors" };
+            progress.announce(what, seconds);
+        }
         Event::Done { done, of, .. } => progress.show("pairs", done, of),
         Event::Rays { .. } => progress.report(event),
         _ => {}

@@ -12,6 +12,7 @@
 
 mod container;
 mod json;
+mod extension_set;
 mod scheme;
 mod extensions;
 mod buffers;

@@ -101,12 +101,12 @@ pub fn grid(reader: &Reader, cells: impl Into<CellCounts>, rates: Rates, work: &
         cells_of(counts).enumerate().map(move |(k, rect)| CellPlace { surface, index: index(k), rect })
     };
     let places: Vec<CellPlace> = (0..surfaces).flat_map(of_surface).collect();
+    reader.expect(|| places.iter().map(|place| patches_of(reader, place)).sum());
     let (total, done) = (places.len(), AtomicUsize::new(0));
     let by = CellReader { reader, rates, count: total };
     let all = work.ranks.map_even(PartName::Cells, total, AT_ONCE, |place| {
         let CellPlace { surface, index, rect } = &places[place];
         let integrals = Integrals::over(&by, *surface, rect);
-        reader.note_read();
         work.report_done(Stage::Cells, done.fetch_add(1, Ordering::Relaxed) + 1, total);
         let shape = reader.solution().elements().shape(*surface);
         let area = outlines[*surface]
@@ -116,6 +116,15 @@ pub fn grid(reader: &Reader, cells: impl Into<CellCounts>, rates: Rates, work: &
         integrals.cell(*surface, *index, shape.jet(u, v).position, area)
     });
     all.into_iter().filter(|cell| cell.area > 0.0).collect()
+}
+
+/// Number of patches that a cell is read on, without those of other sides.
+fn patches_of(reader: &Reader, CellPlace { surface, rect, .. }: &CellPlace) -> usize {
+    let elements = reader.solution().elements();
+    elements
+        .of_surface(*surface)
+        .map(|element| elements.patches_over(element, rect).into_iter().count())
+        .sum()
 }
 
 /// The reader of cells.
@@ -250,6 +259,13 @@ const AREA_POINTS: usize = 16;
 
 /// Mean of E per band over a patch of an element.
 fn over_patch(by: &CellReader, element: usize, patch: &Patch) -> ReadIrradiance {
+    let read = read_over_patch(by, element, patch);
+    by.reader.note_read();
+    read
+}
+
+/// [`over_patch`], of which the pace of the reader is not told.
+fn read_over_patch(by: &CellReader, element: usize, patch: &Patch) -> ReadIrradiance {
     let CellReader { reader, rates, count } = *by;
     let owner = &reader.solution().elements().list()[element];
     let degree = owner.basis.total_degree();

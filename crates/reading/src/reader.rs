@@ -81,7 +81,12 @@ impl<'a> Reader<'a> {
         Self { light, pace: Some(pace), ..self }
     }
 
-    /// Notes that a point or a cell is read, for the pace.
+    /// Tells the pace, if there is one, that so many `readings` are to come.
+    pub(super) fn expect(&self, readings: impl Fn() -> usize) {
+        self.pace.iter().for_each(|pace| pace.expect(readings()));
+    }
+
+    /// Notes that a point or a patch of a cell is read, for the pace.
     pub(super) fn note_read(&self) {
         self.pace.iter().for_each(|pace| pace.note_done());
     }

@@ -123,7 +123,7 @@ pub struct Report {
     /// Warnings to the user.
     pub warnings: Vec<Warning>,
     /// Power that is emitted over the area of all surfaces (W m⁻²), beside which readings are dark.
-    /// Power that is emitted over the area of all surfaces (W m⁻²), beside which readings are dark.
+    #[serde(skip)]
     mean_exitance: f64,
 }
 

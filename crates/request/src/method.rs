@@ -63,8 +63,9 @@ pub struct MethodRequest {
     #[cfg_attr(feature = "clap", arg(long = "for", id = "for", value_name = "WHAT"))]
     pub aim: Option<AccuracyOf>,
 
-    /// Seconds after which the run is to end with the best so far and its error: rays end, no finer run begins;
-    /// where light is read, half of them are for reading. Where an accuracy is wanted and missed, with exit code 3
+    /// Seconds in which the run is to end with the best so far and its error: rays end, half of them before light is
+    /// read, no finer run begins, and pictures take what is done in time. What is asked for by rules takes its time,
+    /// and so do .glb and .html; an accuracy that is wanted and missed ends with exit code 3
     #[cfg_attr(feature = "clap", arg(long, value_name = "SECONDS"))]
     pub time_limit: Option<Number<Seconds>>,
 

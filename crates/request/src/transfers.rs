@@ -43,7 +43,7 @@ pub struct TransferRequest {
     #[cfg_attr(feature = "clap", arg(long, value_name = "MODE"))]
     pub shadows: Option<Shadows>,
 
-    /// How the pairs of elements are carried [default: auto for view factors, exact for heat]
+    /// How the pairs of elements are carried [default: exact]
     #[cfg_attr(feature = "clap", arg(long, value_name = "MODE"))]
     pub transport: Option<Transport>,
 

@@ -335,7 +335,6 @@ fn exchanges(
 #[cfg(test)]
 mod tests {
     use radiosity_kernel::Accuracy;
-    use radiosity_visibility::Shadows;
 
     use super::*;
     use crate::driver::Transport;

@@ -26,6 +26,11 @@ impl Pace {
         Self { ends, left: things.into(), cut_short: 0.into(), threads: threads.max(1) }
     }
 
+    /// Expects so many things, in place of those that are left.
+    pub fn expect(&self, things: usize) {
+        self.left.store(things, Ordering::Relaxed);
+    }
+
     /// The instant at which a thing is to end that begins now.
     pub fn end_of_next(&self) -> Instant {
         let (now, left) = (Instant::now(), self.left().max(1));

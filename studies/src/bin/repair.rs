@@ -69,6 +69,7 @@ fn add(model: &mut Model, outline: Vec<DVec3>) {
         shape: Shape::Polygon { outline, holes: Vec::new() },
         sides: Sides::Open,
         place: None,
+        file: None,
     });
 }
 

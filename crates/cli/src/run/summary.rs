@@ -67,7 +67,8 @@ impl Run {
                 };
                 let planned = match self.solved.outcome.sampling {
                     Some(Sampling { rays, planned, .. }) if rays < planned => {
-                        format!(" of {planned}, as time was up,")
+                        let why = if self.work().is_late_here() { "time was up" } else { "stopped" };
+                        format!(" of {planned} ({why})")
                     }
                     _ => String::new(),
                 };

@@ -4,7 +4,8 @@ use radiosity_photometry::file_place::FilePlace;
 use radiosity_photometry::note_text::NoteText;
 use radiosity_photometry::text::short;
 
-use super::scheme::{Extensions, Root};
+use super::extension_set::Extensions;
+use super::scheme::Root;
 use crate::model::Model;
 
 /// Note on mirrors, lacquers and sheens, whatever extension describes them.
@@ -44,7 +45,7 @@ const KNOWN: [(&str, Loss); 15] = [
 ];
 
 /// Beginnings of the names of families of extensions that change no light.
-const SILENT_FAMILIES: [&str; 4] = ["KHR_texture_", "EXT_texture_", "MSFT_texture_", "KHR_xmp_"];
+const SILENT_FAMILIES: [&str; 4] = ["KHR_texture_", "EXT_texture_", "MSFT_texture_", "KHR_xmp"];
 
 /// Beginnings of the names of families that a file may require: what they add is told or needs no care.
 const HARMLESS_FAMILIES: [&str; 4] = ["KHR_materials_", "KHR_texture_", "EXT_texture_", "MSFT_texture_"];

@@ -1,16 +1,15 @@
 //! The members of a glTF that are read (section 5).
 
-use std::collections::BTreeMap;
+use std::collections::BTreeSet;
 
 use serde::Deserialize;
-use serde::de::IgnoredAny;
+use serde::de::{IgnoredAny, MapAccess};
 use serde_json::value::RawValue;
+
+use super::extension_set::{ExtensionSet, Extensions, extension_set};
 
 /// A list whose items know their places.
 type List<'a> = Vec<&'a RawValue>;
-
-/// Extensions at a place of a file, by their names.
-pub(super) type Extensions = BTreeMap<String, IgnoredAny>;
 
 /// The root object of the JSON.
 #[derive(Debug, Deserialize)]
@@ -39,8 +38,8 @@ pub(super) struct Root<'a> {
     #[serde(default)]
     pub(super) extensions_required: Vec<String>,
     #[serde(default)]
-    pub(super) extensions_used: Vec<String>,
-    #[serde(default)]
+    pub(super) extensions_used: BTreeSet<String>,
+    #[serde(default, deserialize_with = "extension_set")]
     pub(super) extensions: Extensions,
 }
 
@@ -68,18 +67,32 @@ pub(super) struct Node {
     pub(super) translation: Option<[f64; 3]>,
     pub(super) rotation: Option<[f64; 4]>,
     pub(super) scale: Option<[f64; 3]>,
-    #[serde(default)]
+    #[serde(default, deserialize_with = "extension_set")]
     pub(super) extensions: NodeExtensions,
 }
 
-#[derive(Debug, Default, Deserialize)]
+#[derive(Debug, Default)]
 pub(super) struct NodeExtensions {
-    #[serde(rename = "KHR_lights_punctual")]
+    /// That of `KHR_lights_punctual`.
     pub(super) light: Option<IgnoredAny>,
-    #[serde(rename = "EXT_mesh_gpu_instancing")]
+    /// Those of `EXT_mesh_gpu_instancing`.
     pub(super) instances: Option<IgnoredAny>,
-    #[serde(flatten)]
     pub(super) others: Extensions,
+}
+
+impl ExtensionSet for NodeExtensions {
+    fn take<'de, A: MapAccess<'de>>(&mut self, name: &str, map: &mut A) -> Result<bool, A::Error> {
+        match name {
+            "KHR_lights_punctual" => self.light = map.next_value()?,
+            "EXT_mesh_gpu_instancing" => self.instances = map.next_value()?,
+            _ => return Ok(false),
+        }
+        Ok(true)
+    }
+
+    fn others(&mut self) -> &mut Extensions {
+        &mut self.others
+    }
 }
 
 #[derive(Debug, Deserialize)]
@@ -96,7 +109,7 @@ pub(super) struct Primitive {
     pub(super) material: Option<usize>,
     pub(super) mode: Option<u32>,
     pub(super) targets: Option<IgnoredAny>,
-    #[serde(default)]
+    #[serde(default, deserialize_with = "extension_set")]
     pub(super) extensions: Extensions,
 }
 
@@ -173,7 +186,7 @@ pub(super) struct Material {
     pub(super) alpha_mode: Option<String>,
     #[serde(default)]
     pub(super) double_sided: bool,
-    #[serde(default)]
+    #[serde(default, deserialize_with = "extension_set")]
     pub(super) extensions: MaterialExtensions,
 }
 
@@ -186,14 +199,28 @@ pub(super) struct Pbr {
     pub(super) metallic_roughness_texture: Option<IgnoredAny>,
 }
 
-#[derive(Debug, Default, Deserialize)]
+#[derive(Debug, Default)]
 pub(super) struct MaterialExtensions {
-    #[serde(rename = "KHR_materials_emissive_strength")]
+    /// That of `KHR_materials_emissive_strength`.
     pub(super) strength: Option<EmissiveStrength>,
-    #[serde(rename = "KHR_materials_pbrSpecularGlossiness")]
+    /// That of `KHR_materials_pbrSpecularGlossiness`.
     pub(super) glossiness: Option<Glossiness>,
-    #[serde(flatten)]
     pub(super) others: Extensions,
+}
+
+impl ExtensionSet for MaterialExtensions {
+    fn take<'de, A: MapAccess<'de>>(&mut self, name: &str, map: &mut A) -> Result<bool, A::Error> {
+        match name {
+            "KHR_materials_emissive_strength" => self.strength = map.next_value()?,
+            "KHR_materials_pbrSpecularGlossiness" => self.glossiness = map.next_value()?,
+            _ => return Ok(false),
+        }
+        Ok(true)
+    }
+
+    fn others(&mut self) -> &mut Extensions {
+        &mut self.others
+    }
 }
 
 #[derive(Debug, Deserialize)]

@@ -29,9 +29,6 @@ use super::transport_choice::{Transport, TransportChoice, USUAL_ACCURACY, usual_
 /// (60), whose exact blocks cost half the usual rays. Proportionally more at finer accuracies.
 const AS_GOOD: f64 = 10.0;
 
-/// Part of the time left that exact blocks may take by their price, which is right within a factor of three. Chosen.
-const IN_TIME: f64 = 0.4;
-
 /// Share of the pairs of elements that can see each other, at least, in scenes too large to be looked at.
 const SEEING: f64 = 0.25;
 
@@ -75,7 +72,7 @@ impl TransportChoice {
     ) -> Self {
         let usual = usual_rays(scene.surfaces.len(), USUAL_ACCURACY) as f64;
         let finer = (USUAL_ACCURACY / options.accuracy().shadow_eps).max(1.0);
-        let in_time = left.map_or(f64::INFINITY, |left| IN_TIME * left.as_secs_f64() / seconds_of_rays(1.0));
+        let in_time = left.map_or(f64::INFINITY, |left| left.as_secs_f64() / seconds_of_rays(1.0));
         let limit = (AS_GOOD * finer * usual).min(in_time);
         let (price, about) = match exact_price_at_least(scene) {
             price if price > limit => (price, "more than"),

@@ -26,13 +26,13 @@ pub struct Options {
 }
 
 impl Default for Options {
-    /// To 1e-3, with shadows, by rules or rays as the scene needs.
+    /// Every pair by rules, to 1e-3 with its shadows.
     fn default() -> Self {
         Self {
             subdivide: None,
             accuracy: Accuracy { eps: 1e-3, shadow_eps: 1e-3 },
             shadows: Shadows::Auto,
-            transport: Transport::Auto,
+            transport: Transport::Exact,
             rays: None,
             memory: None,
             threads: 0,

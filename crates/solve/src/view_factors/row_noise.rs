@@ -15,7 +15,8 @@
 //! error_i = MOST_OF √(2 ln(1 + m)) σ_i ,   m = Σ v/max v ,
 //! ```
 //!
-//! about the largest of m errors of that deviation (normal distribution).
+//! about the largest of m errors of that deviation (normal distribution). To its square is added that of 1/(e n) for the
+//! n rays of the surface, of which all may miss a part f of what it sees, with the probability (1 − f)ⁿ.
 
 use std::iter::Peekable;
 
@@ -28,6 +29,9 @@ const ADDED: f64 = 4.0;
 
 /// The largest of m normal numbers over √(2 ln(1 + m)), on the average: 0.7 for one, 0.9 for a hundred.
 const MOST_OF: f64 = 0.9;
+
+/// Part of what a surface sees that its rays miss, times their number: f (1 − f)ⁿ ≤ 1/(e n).
+const MISSED: f64 = 0.37;
 
 /// Variances of the exchanges of each surface that rays found.
 #[derive(Clone, Debug)]
@@ -44,6 +48,8 @@ struct RowVariance {
     variances: f64,
     /// max v.
     largest: f64,
+    /// Number of rays that the surface sent.
+    rays: u64,
 }
 
 /// Exchange of two surfaces, by the halves of the rays.
@@ -60,6 +66,9 @@ impl RowNoise {
         let list = elements.list();
         let surfaces = list.iter().map(|element| element.surface + 1).max().unwrap_or(0);
         let mut noise = Self { rows: vec![RowVariance::default(); surfaces] };
+        for (element, rays) in list.iter().zip(transport.sent()) {
+            noise.rows[element.surface].rays += rays;
+        }
         let density = |element: usize| transport.sent()[element] as f64 / list[element].area;
         let [even, odd] = [Rays::Even, Rays::Odd].map(|rays| transport.blocks(rays));
         let [even, odd] = [&even, &odd].map(Blocks::gathered);
@@ -105,14 +114,19 @@ impl RowNoise {
         };
         let [squares, variances] = [sum(&|row| row.squares), sum(&|row| row.variances)];
         let mean = if variances > 0.0 { squares / variances } else { 0.0 };
-        self.rows.iter().zip(areas).map(|(row, area)| row.error(mean) / area).collect()
+        self.rows.iter().zip(areas).map(|(row, area)| (row.error(mean) / area).hypot(row.missed())).collect()
     }
 }
 
 impl RowVariance {
+    /// About the largest factor that all rays miss.
+    fn missed(&self) -> f64 {
+        if self.rays == 0 { 0.0 } else { MISSED / self.rays as f64 }
+    }
+
     /// About the largest error of an exchange (length²), where errors² are `mean` of v in all rows.
     fn error(&self, mean: f64) -> f64 {
-        let Self { squares, variances, largest } = *self;
+        let Self { squares, variances, largest, .. } = *self;
         if largest <= 0.0 {
             return 0.0;
         }

@@ -1,0 +1,65 @@
+//! Reading of the extensions at a place of a glTF file: values of those that are followed, names of the others, whose
+//! values may be anything.
+
+use std::collections::BTreeMap;
+use std::fmt;
+use std::marker::PhantomData;
+
+use serde::de::{Deserializer, IgnoredAny, MapAccess, SeqAccess, Visitor};
+
+/// Extensions at a place of a file, by their names.
+pub(super) type Extensions = BTreeMap<String, IgnoredAny>;
+
+/// The extensions at a place of a file.
+pub(super) trait ExtensionSet: Default {
+    /// Takes the value of the extension `name`, if it is followed; returns whether it is.
+    fn take<'de, A: MapAccess<'de>>(&mut self, name: &str, map: &mut A) -> Result<bool, A::Error>;
+
+    /// The others.
+    fn others(&mut self) -> &mut Extensions;
+}
+
+impl ExtensionSet for Extensions {
+    fn take<'de, A: MapAccess<'de>>(&mut self, _: &str, _: &mut A) -> Result<bool, A::Error> {
+        Ok(false)
+    }
+
+    fn others(&mut self) -> &mut Extensions {
+        self
+    }
+}
+
+/// Reads the extensions at a place; none where there is something else than an object.
+pub(super) fn extension_set<'de, D: Deserializer<'de>, E: ExtensionSet>(source: D) -> Result<E, D::Error> {
+    source.deserialize_any(SetVisitor(PhantomData))
+}
+
+struct SetVisitor<E>(PhantomData<E>);
+
+impl<'de, E: ExtensionSet> Visitor<'de> for SetVisitor<E> {
+    type Value = E;
+
+    fn expecting(&self, to: &mut fmt::Formatter) -> fmt::Result {
+        to.write_str("extensions by their names")
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<E, A::Error> {
+        let mut set = E::default();
+        while let Some(name) = map.next_key::<String>()? {
+            if !set.take(&name, &mut map)? {
+                let ignored = map.next_value()?;
+                set.others().insert(name, ignored);
+            }
+        }
+        Ok(set)
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<E, A::Error> {
+        while list.next_element::<IgnoredAny>()?.is_some() {}
+        Ok(E::default())
+    }
+
+    fn visit_unit<F>(self) -> Result<E, F> {
+        Ok(E::default())
+    }
+}
