@@ -365,7 +365,7 @@ class Transfers(TypedDict, total=False):
         How it is found out what surfaces hide from each other [default: auto].
 
     transport: "auto", "exact" or "sampled"
-        How the pairs of elements are carried [default: auto for view factors, exact for heat].
+        How the pairs of elements are carried [default: exact].
 
     rays: int
         Rays of the sampled transport [default: by the number of surfaces and the accuracy].

@@ -63,3 +63,25 @@ impl<'de, E: ExtensionSet> Visitor<'de> for SetVisitor<E> {
         Ok(E::default())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn read(json: &str) -> Vec<String> {
+        let mut source = serde_json::Deserializer::from_str(json);
+        extension_set::<_, Extensions>(&mut source).expect(json).into_keys().collect()
+    }
+
+    /// Values of extensions that are not followed may be anything, as before any was looked at.
+    #[test]
+    fn unknown_values_may_be_anything() {
+        let deep = format!("{{\"A\": {}{}}}", "[".repeat(200), "]".repeat(200));
+        for json in [r#"{"A": 1e400}"#, r#"{"A": "\ud800"}"#, r#"{"A": null}"#, deep.as_str()] {
+            assert_eq!(read(json), ["A"], "{json}");
+        }
+        for json in ["null", "[]", "[1, {}]"] {
+            assert!(read(json).is_empty(), "{json}");
+        }
+    }
+}
