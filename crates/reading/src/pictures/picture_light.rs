@@ -71,8 +71,32 @@ pub(crate) struct PictureLight<'a> {
     direct: DirectSource<'a>,
     /// Where the rest is gathered; None where it is read from the polynomials.
     rest: Option<Gathering<'a>>,
-    /// Doubt about the polynomials around a place, over its light, from which on the rest is read anew.
-    doubt: f64,
+    doubt: Doubt,
+}
+
+/// Light over the mean of all surfaces below which pixels are read anew where that is doubtful. Measured in the Cornell
+/// box, 256² pixels: where none is, 333 are off by a fifth of themselves, in the dark before the feet of the blocks. With
+/// .4 45 are, in 1.45 times the time; with .15 50, in 1.2 times; with .08 105, in 1.1 times.
+const DIM: f64 = 0.15;
+
+/// Doubt about the polynomials around a place from which on the rest of its light is read anew.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Doubt {
+    /// That of pixels, which are many: in shadow alone.
+    OfPixels,
+    /// That of texels, which are seen from near and far.
+    OfTexels,
+}
+
+impl Doubt {
+    /// The doubt over the light of a place, of which about so much is there (W m⁻² per band), where so much is the mean of
+    /// all surfaces (W m⁻², the sum over the bands); None where none counts.
+    fn at(self, all: &[f64], mean: f64) -> Option<f64> {
+        match self {
+            Self::OfPixels => (all.iter().sum::<f64>() < DIM * mean).then_some(DOUBTFUL_PIXEL),
+            Self::OfTexels => Some(DOUBTFUL),
+        }
+    }
 }
 
 #[derive(Debug)]
@@ -100,13 +124,12 @@ impl<'a> PictureLight<'a> {
         };
         let mean = solution.mean_arriving().iter().sum();
         let shown = Quantity::default();
-        Self { solution, eps, mean, shown, eye: None, direct, rest, doubt: DOUBTFUL_PIXEL }
+        Self { solution, eps, mean, shown, eye: None, direct, rest, doubt: Doubt::OfPixels }
     }
 
-    /// This light, as texels show it, which are seen from near and far: the rest is read anew where polynomials may
-    /// miss less of it than counts in pixels.
+    /// This light, as texels show it.
     pub(crate) fn of_texels(self) -> Self {
-        Self { doubt: DOUBTFUL, ..self }
+        Self { doubt: Doubt::OfTexels, ..self }
     }
 
     /// This light, of which a picture shows the quantity `shown`, as seen from the point `eye`.
@@ -188,7 +211,7 @@ impl<'a> PictureLight<'a> {
         let other = self.beside(seen, lit, error_factor);
         let point = seen.receiver_point();
         let ReadIrradiance { irradiance, deviation } =
-            gathering.reflected_for_sure(&point, lit, &other, self.doubt);
+            gathering.reflected_for_sure(&point, lit, &other, self.doubt.at(&self.all(seen, lit), self.mean));
         let all: f64 = irradiance.iter().chain(&other).sum();
         ComputedLight { bands: irradiance, error: deviation.map_or(0.0, |own| own.relative * all) }
     }
@@ -197,10 +220,15 @@ impl<'a> PictureLight<'a> {
     /// and in the dark what makes all light E the mean √(E Ē) of this and that of the scene, as eyes and fits allow; so
     /// much more where `error_factor` times the error is allowed.
     fn beside(&self, seen: &SeenPlace, lit: &[f64], error_factor: f64) -> Vec<f64> {
-        let all: Vec<f64> = self.polynomials(seen).iter().zip(lit).map(|(rest, lit)| rest + lit).collect();
+        let all = self.all(seen, lit);
         let size = all.iter().sum::<f64>().max(DARK * self.mean);
         let more = error_factor * (self.mean / size).sqrt().max(1.0) - 1.0;
         lit.iter().zip(all).map(|(lit, all)| lit + more * all).collect()
+    }
+
+    /// All light (W m⁻² per band) with the rest by polynomials beside the direct light `lit`.
+    fn all(&self, seen: &SeenPlace, lit: &[f64]) -> Vec<f64> {
+        self.polynomials(seen).iter().zip(lit).map(|(rest, lit)| rest + lit).collect()
     }
 
     /// Irradiance per band (W m⁻²) by the polynomials: all of it, or the part that was reflected at least

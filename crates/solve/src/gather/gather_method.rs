@@ -158,16 +158,18 @@ impl<'a> Gathering<'a> {
     }
 
     /// As [`Gathering::reflected`], accurate relative to this and the light `other` (W m⁻² per band), and read anew if
-    /// there is more than this `doubt` about the point over all its light, of which so much is `lit`.
+    /// there is more than this `doubt`, if any, about the point over all its light, of which so much is `lit`.
     pub fn reflected_for_sure(
         &self,
         receiver: &ReceiverPoint,
         lit: &[f64],
         other: &[f64],
-        doubt: f64,
+        doubt: Option<f64>,
     ) -> ReadIrradiance {
-        let outside = self.doubtful.as_ref().filter(|places| !places.is_in_gap(receiver));
-        let anew = outside.and_then(|places| places.reflected_anew(receiver, lit, other, doubt));
+        let anew = doubt.and_then(|doubt| {
+            let outside = self.doubtful.as_ref().filter(|places| !places.is_in_gap(receiver))?;
+            outside.reflected_anew(receiver, lit, other, doubt)
+        });
         anew.unwrap_or_else(|| self.reflected(receiver, other))
     }
 }
@@ -401,10 +403,10 @@ mod tests {
             let position = foot + (0.5 + 2.0 * away) * DVec3::new(0.293, 0.0, -0.956) - scene.middle;
             let receiver =
                 Standpoint::find(solution.elements(), &visibility, position, normal).receiver_point(normal);
-            let by = |doubt: f64| -> f64 {
+            let by = |doubt: Option<f64>| -> f64 {
                 gathering.reflected_for_sure(&receiver, &lit, &lit, doubt).irradiance.iter().sum()
             };
-            let [anew, pixel, plain] = [0.0, DOUBTFUL_PIXEL, f64::INFINITY].map(by);
+            let [anew, pixel, plain] = [Some(0.0), Some(DOUBTFUL_PIXEL), None].map(by);
             let misses = |light: f64| (light / anew - 1.0).abs() > 0.2;
             off[0] += f64::from(u8::from(misses(pixel)));
             off[1] += f64::from(u8::from(misses(plain)));
