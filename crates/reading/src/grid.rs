@@ -121,10 +121,7 @@ pub fn grid(reader: &Reader, cells: impl Into<CellCounts>, rates: Rates, work: &
 /// Number of patches that a cell is read on, without those of other sides.
 fn patches_of(reader: &Reader, CellPlace { surface, rect, .. }: &CellPlace) -> usize {
     let elements = reader.solution().elements();
-    elements
-        .of_surface(*surface)
-        .map(|element| elements.patches_over(element, rect).into_iter().count())
-        .sum()
+    elements.of_surface(*surface).map(|element| elements.patches_over(element, rect).len()).sum()
 }
 
 /// The reader of cells.
