@@ -73,9 +73,9 @@ pub(super) struct Node {
 
 #[derive(Debug, Default)]
 pub(super) struct NodeExtensions {
-    /// That of `KHR_lights_punctual`.
+    /// Value of `KHR_lights_punctual`.
     pub(super) light: Option<IgnoredAny>,
-    /// Those of `EXT_mesh_gpu_instancing`.
+    /// Value of `EXT_mesh_gpu_instancing`.
     pub(super) instances: Option<IgnoredAny>,
     pub(super) others: Extensions,
 }
@@ -201,9 +201,9 @@ pub(super) struct Pbr {
 
 #[derive(Debug, Default)]
 pub(super) struct MaterialExtensions {
-    /// That of `KHR_materials_emissive_strength`.
+    /// Value of `KHR_materials_emissive_strength`.
     pub(super) strength: Option<EmissiveStrength>,
-    /// That of `KHR_materials_pbrSpecularGlossiness`.
+    /// Value of `KHR_materials_pbrSpecularGlossiness`.
     pub(super) glossiness: Option<Glossiness>,
     pub(super) others: Extensions,
 }

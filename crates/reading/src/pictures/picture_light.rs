@@ -74,23 +74,23 @@ pub(crate) struct PictureLight<'a> {
     doubt: Doubt,
 }
 
-/// Light over the mean of all surfaces below which pixels are read anew where that is doubtful. Measured in the Cornell
-/// box, 256² pixels: where none is, 333 are off by a fifth of themselves, in the dark before the feet of the blocks. With
-/// .4 45 are, in 1.45 times the time; with .15 50, in 1.2 times; with .08 105, in 1.1 times.
+/// Light over the mean of all surfaces below which pixels are read anew where that is doubtful. Measured in the
+/// Cornell box, 256² pixels: where none is, 333 are off by a fifth of themselves, in the dark before the feet of the
+/// blocks. With .4 45 are, in 1.45 times the time; with .15 50, in 1.2 times; with .08 105, in 1.1 times.
 const DIM: f64 = 0.15;
 
 /// Doubt about the polynomials around a place from which on the rest of its light is read anew.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Doubt {
-    /// That of pixels, which are many: in shadow alone.
+    /// Of pixels, which are many: in shadow alone.
     OfPixels,
-    /// That of texels, which are seen from near and far.
+    /// Of texels, which are seen from near and far.
     OfTexels,
 }
 
 impl Doubt {
-    /// The doubt over the light of a place, of which about so much is there (W m⁻² per band), where so much is the mean of
-    /// all surfaces (W m⁻², the sum over the bands); None where none counts.
+    /// The doubt over the light of a place, of which about so much is there (W m⁻² per band), where so much is the
+    /// mean of all surfaces (W m⁻², the sum over the bands); None where none counts.
     fn at(self, all: &[f64], mean: f64) -> Option<f64> {
         match self {
             Self::OfPixels => (all.iter().sum::<f64>() < DIM * mean).then_some(DOUBTFUL_PIXEL),

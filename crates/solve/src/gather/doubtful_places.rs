@@ -56,9 +56,9 @@ const SHADOWED: f64 = 0.4;
 /// the patches of the Cornell box have more.
 const DOUBTFUL_OVER_PATCH: f64 = 0.2;
 
-/// As [`DOUBTFUL`], of pixels, which are many. Measured in the Cornell box, 256² pixels: with [`DOUBTFUL`] pictures take
-/// twice as long, as they do of a soda shop and a teapot. Of pixels that are off by a fifth of themselves 45 are left with
-/// .25, 135 with 1 and 197 with 2, where 333 are if none is read anew.
+/// As [`DOUBTFUL`], of pixels, which are many. Measured in the Cornell box, 256² pixels: with [`DOUBTFUL`] pictures
+/// take twice as long, as they do of a soda shop and a teapot. Of pixels that are off by a fifth of themselves 45 are
+/// left with .25, 135 with 1 and 197 with 2, where 333 are if none is read anew.
 pub const DOUBTFUL_PIXEL: f64 = 0.25;
 
 /// Distance of what a ray met, over the width of the element there, up to which a surface that reaches into the

@@ -15,8 +15,8 @@
 //! error_i = MOST_OF √(2 ln(1 + m)) σ_i ,   m = Σ v/max v ,
 //! ```
 //!
-//! about the largest of m errors of that deviation (normal distribution). To its square is added that of 1/(e n) for the
-//! n rays of the surface, of which all may miss a part f of what it sees, with the probability (1 − f)ⁿ.
+//! about the largest of m errors of that deviation (normal distribution). To its square is added that of 1/(e n) for
+//! the n rays of the surface, of which all may miss a part f of what it sees, with the probability (1 − f)ⁿ.
 
 use std::iter::Peekable;
 

@@ -10,8 +10,8 @@
 //! the size before. The error is that of the radiosity at 1000 pixels, evenly chosen, fewer where these take more than
 //! a minute or `--judge`, lamps left out, over the root mean square of the radiosity: against light gathered to 1e-3 or
 //! less. A joint is what the error changes by, over the mean radiosity, from pixels to the next where these see
-//! different elements of one surface: the mean over sixteen pixels along a joint, since a step shows where it runs on; the
-//! largest of fifty such runs, evenly chosen, or of as many as a minute takes. The largest step between two single
+//! different elements of one surface: the mean over sixteen pixels along a joint, since a step shows where it runs on;
+//! the largest of fifty such runs, evenly chosen, or of as many as a minute takes. The largest step between two single
 //! pixels stands beside it: it has the noise of both pixels and of the light that they are compared with. With
 //! `--judge 0` no errors are judged; with `--frames` the first frames of a scene that moves are one film.
 
