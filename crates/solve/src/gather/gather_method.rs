@@ -157,8 +157,9 @@ impl<'a> Gathering<'a> {
         })
     }
 
-    /// As [`Gathering::reflected`], accurate relative to this and the light `other` (W m⁻² per band), and read anew if
-    /// there is more than this `doubt`, if any, about the point over all its light, of which so much is `lit`.
+    /// The reflected light of a point, one of many, accurate relative to this and the light `other` (W m⁻² per band),
+    /// and read anew if there is more than this `doubt`, if any, about the point over all its light, of which so much
+    /// is `lit`.
     pub fn reflected_for_sure(
         &self,
         receiver: &ReceiverPoint,
