@@ -268,7 +268,7 @@ impl Fault {
         Self { kind: FaultKind::UnknownName, cause, cure }
     }
 
-    /// As [`Fault::unknown_name`], with the cure `none` where nothing is known.
+    /// As `Fault::unknown_name`, with the cure `none` where nothing is known.
     pub fn unknown_or(
         cause: impl Into<String>,
         name: &str,
