@@ -81,7 +81,6 @@ def test_built_in_scenes_have_parameters():
         (lambda: lit().solve(solver="luck"), 'no method is called "luck"'),
         (lambda: lit().solve(shadows="long"), "expected one of `auto`, `off`, `rays`, `exact`, `mask`"),
         (lambda: lit().solve(rays=100, transport="exact"), r'rays= does not go with transport="exact"'),
-        (lambda: lit().solve(time_limit=1), "time_limit= does nothing without an accuracy that is wanted\nhelp: add accuracy=, such as accuracy=1e-2,"),
         (lambda: lit().solve(method="hierarchical", order=3), r'method="hierarchical" knows no order= above 0'),
         (lambda: lit().solve(memory=1000), "not enough memory(.|\n)*memory="),
         (lambda: lit().solve(aim="luck", accuracy=0.1), "aim="),
