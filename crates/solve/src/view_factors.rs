@@ -21,7 +21,7 @@
 //! own_i = max( √(Σ e_b²) / A_i ,  0.1 Σ ε_b x_b / A_i , 2⁻⁵² )  elsewhere, as in open scenes ,
 //! ```
 //!
-//! and rounding alone where closed forms carry a row. Rays carry the pairs where rules would take long (`plan`);
+//! and rounding alone where closed forms carry a row. Rays may carry the pairs, where rules would take long (`plan`);
 //! what they leave in a row is about the largest of its errors (`row_noise`), and adds to that of the rules.
 
 mod options;

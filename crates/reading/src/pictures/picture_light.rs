@@ -208,19 +208,19 @@ impl<'a> PictureLight<'a> {
         let Some(gathering) = &self.rest else {
             return ComputedLight { bands: self.polynomials(seen), error: 0.0 };
         };
-        let other = self.beside(seen, lit, error_factor);
+        let all = self.all(seen, lit);
+        let other = self.beside(&all, lit, error_factor);
         let point = seen.receiver_point();
         let ReadIrradiance { irradiance, deviation } =
-            gathering.reflected_for_sure(&point, lit, &other, self.doubt.at(&self.all(seen, lit), self.mean));
+            gathering.reflected_for_sure(&point, lit, &other, self.doubt.at(&all, self.mean));
         let all: f64 = irradiance.iter().chain(&other).sum();
         ComputedLight { bands: irradiance, error: deviation.map_or(0.0, |own| own.relative * all) }
     }
 
-    /// Light (W m⁻² per band) beside which the rest of the light of a place is to be accurate: the direct light `lit`,
+    /// Light (W m⁻² per band) beside which the rest of `all` light of a place is to be accurate: the direct light `lit`,
     /// and in the dark what makes all light E the mean √(E Ē) of this and that of the scene, as eyes and fits allow; so
     /// much more where `error_factor` times the error is allowed.
-    fn beside(&self, seen: &SeenPlace, lit: &[f64], error_factor: f64) -> Vec<f64> {
-        let all = self.all(seen, lit);
+    fn beside(&self, all: &[f64], lit: &[f64], error_factor: f64) -> Vec<f64> {
         let size = all.iter().sum::<f64>().max(DARK * self.mean);
         let more = error_factor * (self.mean / size).sqrt().max(1.0) - 1.0;
         lit.iter().zip(all).map(|(lit, all)| lit + more * all).collect()
