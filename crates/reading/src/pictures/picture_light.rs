@@ -217,9 +217,9 @@ impl<'a> PictureLight<'a> {
         ComputedLight { bands: irradiance, error: deviation.map_or(0.0, |own| own.relative * all) }
     }
 
-    /// Light (W m⁻² per band) beside which the rest of `all` light of a place is to be accurate: the direct light `lit`,
-    /// and in the dark what makes all light E the mean √(E Ē) of this and that of the scene, as eyes and fits allow; so
-    /// much more where `error_factor` times the error is allowed.
+    /// Light (W m⁻² per band) beside which the rest of `all` light of a place is to be accurate: the direct light
+    /// `lit`, and in the dark what makes all light E the mean √(E Ē) of this and that of the scene, as eyes and fits
+    /// allow; so much more where `error_factor` times the error is allowed.
     fn beside(&self, all: &[f64], lit: &[f64], error_factor: f64) -> Vec<f64> {
         let size = all.iter().sum::<f64>().max(DARK * self.mean);
         let more = error_factor * (self.mean / size).sqrt().max(1.0) - 1.0;
