@@ -9,6 +9,7 @@ use base64::engine::general_purpose::STANDARD;
 use flate2::read::DeflateDecoder;
 use radiosity::output::files::exr_file::read_exr;
 use radiosity::output::pictures::wireframe::wireframe;
+use radiosity::reading::pictures::pixel_grid::PixelGrid;
 use radiosity::reading::pictures::seen_surfaces::SeenSurfaces;
 use radiosity::visibility::Visibility;
 use radiosity::work::ranks::Ranks;
@@ -358,7 +359,8 @@ fn pixels_know_whether_they_see_an_emitter_or_one_surface() {
     let scene = typed(&below_a_lamp());
     let visibility = Visibility::open(&scene);
     let camera = scene.camera.clone().expect("there is one");
-    let seen_surfaces = SeenSurfaces::through(&camera, 3, &scene, &visibility, Ranks::alone());
+    let seen_surfaces =
+        SeenSurfaces::through(&camera, &PixelGrid::new(3), &scene, &visibility, Ranks::alone());
     // The lamp is seen from x = (½ − 0.2/0.9) 48 = 13.33 to (½ + 0.1/0.9) 48 = 29.33, and as high as broad.
     let lamp = 17 * 17;
     assert_eq!(seen_surfaces.emitters().iter().filter(|emitter| **emitter).count(), lamp);

@@ -100,7 +100,7 @@ pub(crate) struct AnimateArgs {
     #[arg(long, value_name = "WxH", value_parser = counts)]
     size: Option<[u32; 2]>,
 
-    /// Camera rays along each side of a pixel: S × S in all [default: 3]
+    /// Camera rays along each side of a pixel, about: S² + 1 in all, on a square grid that is turned [default: 3]
     #[arg(long, value_name = "S", value_parser = clap::value_parser!(u32).range(1..=64))]
     samples: Option<u32>,
 

@@ -11,6 +11,7 @@ use radiosity_output::pictures::lightmap_view::lightmap_view;
 use radiosity_output::pictures::tessellation::tessellation;
 use radiosity_reading::exposure::Exposure;
 use radiosity_reading::pictures::lightmap::Lightmap;
+use radiosity_reading::pictures::pixel_grid::PixelGrid;
 use radiosity_reading::pictures::printed_pixels::settings_of_pictures;
 use radiosity_reading::pictures::render::{usual_read, white_balance};
 use radiosity_reading::reader::ReadMode;
@@ -75,8 +76,13 @@ impl Bake<'_> {
         })?;
         let baked = BakedScene::new(scene, &triangles, &lightmap, self.style.show);
         let exposure = TypedExposure::fixed(self.style.exposure).unwrap_or_else(|| {
-            let view =
-                lightmap_view(&run.solved, &lightmap, &View::usual(scene).camera, SAMPLES, self.style.show);
+            let view = lightmap_view(
+                &run.solved,
+                &lightmap,
+                &View::usual(scene).camera,
+                &PixelGrid::new(SAMPLES),
+                self.style.show,
+            );
             Image::new(&view, white_balance(solution)).automatic_exposure()
         });
         let (picture, about) = self.coloured(&baked, exposure, &run.solved, &beside);

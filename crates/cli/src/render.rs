@@ -7,6 +7,7 @@ use radiosity_output::documents::viewer::FirstViewSettings;
 use radiosity_output::files::exr_file::write_exr;
 use radiosity_output::pictures::wireframe::wireframe;
 use radiosity_reading::own_error::OwnError;
+use radiosity_reading::pictures::pixel_grid::PixelGrid;
 use radiosity_reading::pictures::printed_pixels::{PrintedPixels, settings_of_pictures};
 use radiosity_reading::pictures::raster::Raster;
 use radiosity_reading::pictures::render::{
@@ -65,7 +66,7 @@ pub(crate) struct RenderArgs {
     #[arg(long, value_name = "WxH", value_parser = counts)]
     pub(crate) size: Option<[u32; 2]>,
 
-    /// Camera rays along each side of a pixel: S × S in all [default: 3]
+    /// Camera rays along each side of a pixel, about: S² + 1 in all, on a square grid that is turned [default: 3]
     #[arg(long, value_name = "S", value_parser = clap::value_parser!(u32).range(1..=64))]
     pub(crate) samples: Option<u32>,
 
@@ -239,8 +240,9 @@ impl RenderArgs {
         run.in_threads(|| {
             style.take_other(|other| take(&other.outcome.solution, other.visibility()));
             let borders = || wireframe(solution.elements(), visibility, camera, samples, ranks);
-            let seen_surfaces =
-                || SeenSurfaces::through(camera, samples, &run.solved.scene, visibility, ranks);
+            let seen_surfaces = || {
+                SeenSurfaces::through(camera, &PixelGrid::new(samples), &run.solved.scene, visibility, ranks)
+            };
             let borders = self.style.wireframe.then(borders);
             let seen_surfaces = self.style.false_colour.then(seen_surfaces);
             Shot { way, raster: take(solution, visibility), borders, seen_surfaces }

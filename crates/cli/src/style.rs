@@ -14,6 +14,7 @@ use radiosity_output::pictures::image::Image;
 use radiosity_reading::difference::Difference;
 use radiosity_reading::exposure::Exposure;
 use radiosity_reading::field::Field;
+use radiosity_reading::pictures::pixel_grid::PixelGrid;
 use radiosity_reading::pictures::raster::Raster;
 use radiosity_reading::pictures::seen_surfaces::SeenSurfaces;
 use radiosity_reading::quantity::{Quantity, band_name};
@@ -162,7 +163,13 @@ impl StyleArgs {
         let colours = FirstViewColours { band: self.colours.band(scene)?, range: *range, log: *log };
         let false_colours = self.false_colour.then_some(colours);
         let exposure = TypedExposure::fixed(self.exposure).map(|exposure| exposure.factor());
-        Ok(FirstViewSettings { camera, samples, exposure, shown: self.show, false_colours })
+        Ok(FirstViewSettings {
+            camera,
+            grid: PixelGrid::new(samples),
+            exposure,
+            shown: self.show,
+            false_colours,
+        })
     }
 
     /// Finds the band and reads the other picture of a quantity in this unit, before the work.

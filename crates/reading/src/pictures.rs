@@ -1,5 +1,6 @@
 //! Light of pixels and texels: cameras, samples, rasters, the light of frames, films, light maps.
 
+pub mod pixel_grid;
 pub mod pinhole;
 pub mod seen_surfaces;
 pub mod pixel_samples;

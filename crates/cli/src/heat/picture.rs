@@ -6,6 +6,7 @@ use clap::{Args, ValueEnum};
 use radiosity_heat::{Heat, kelvin};
 use radiosity_output::drawings::false_colour::false_colour;
 use radiosity_output::drawings::picture::Picture;
+use radiosity_reading::pictures::pixel_grid::PixelGrid;
 use radiosity_reading::pictures::render::render;
 use radiosity_reading::pictures::seen_surfaces::SeenSurfaces;
 use radiosity_reading::quantity::Quantity;
@@ -98,7 +99,8 @@ impl HeatPicture<'_> {
         // No surface is left out of the range for its light.
         let mut dark = scene.clone();
         dark.surfaces.iter_mut().for_each(|surface| surface.material.emission.fill(0.0));
-        let seen_surfaces = SeenSurfaces::through(&self.camera, SAMPLES, &dark, visibility, ranks);
+        let seen_surfaces =
+            SeenSurfaces::through(&self.camera, &PixelGrid::new(SAMPLES), &dark, visibility, ranks);
         let usual = field.usual_range().unwrap_or_default();
         let colours = match show {
             HeatQuantity::Temperature => colours.colours_between(usual),

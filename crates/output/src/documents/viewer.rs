@@ -68,7 +68,7 @@ const SCRIPT: [&str; 11] = [
 
 /// The exposure that is chosen for the first view of a page.
 pub fn automatic_exposure(solved: &Solved, lightmap: &Lightmap, start: &FirstViewSettings) -> Exposure {
-    let view = lightmap_view(solved, lightmap, &start.camera, start.samples, start.shown);
+    let view = lightmap_view(solved, lightmap, &start.camera, &start.grid, start.shown);
     Image::new(&view, white_balance(&solved.outcome.solution)).automatic_exposure()
 }
 

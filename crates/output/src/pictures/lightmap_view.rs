@@ -11,19 +11,20 @@ use rayon::prelude::*;
 
 use radiosity_reading::pictures::lightmap::Lightmap;
 use radiosity_reading::pictures::pinhole::Pinhole;
+use radiosity_reading::pictures::pixel_grid::PixelGrid;
 use radiosity_reading::pictures::raster::Raster;
 use radiosity_reading::quantity::Quantity;
 
 /// Most pixels along a side. Chosen.
 const SIDE: u32 = 1024;
 
-/// A raster of what `camera` sees of the quantity `shown`, at the factors of light groups, by `samples × samples`
-/// rays a pixel where surfaces end.
+/// A raster of what `camera` sees of the quantity `shown`, at the factors of light groups, by the points
+/// of a grid over each pixel where surfaces end.
 pub fn lightmap_view(
     solved: &Solved,
     lightmap: &Lightmap,
     camera: &Camera,
-    samples: u32,
+    grid: &PixelGrid,
     shown: Quantity,
 ) -> Raster {
     let camera = smaller(camera);
@@ -36,10 +37,11 @@ pub fn lightmap_view(
         Some(lightmap_view.meet(place(size, pixel as u32, [0.5; 2]))?.0)
     };
     let middles: Vec<Option<usize>> = all().map(middle).collect();
+    let middle_alone = PixelGrid::new(1);
     let pixels = all().map(|pixel| {
         check_interrupt();
-        let samples = if is_inside(&middles, size, pixel as u32) { 1 } else { samples };
-        lightmap_view.mean(size, pixel as u32, samples)
+        let grid = if is_inside(&middles, size, pixel as u32) { &middle_alone } else { grid };
+        lightmap_view.mean(size, pixel as u32, grid)
     });
     let pixels: Vec<MeanPixel> = pixels.collect();
     let values = pixels.iter().flat_map(|pixel| &pixel.values).copied().collect();
@@ -94,15 +96,13 @@ impl LightmapView<'_> {
         front.then_some((surface, [hit.u, hit.v]))
     }
 
-    /// The mean of a pixel by `samples × samples` rays.
-    fn mean(&self, size: [u32; 2], pixel: u32, samples: u32) -> MeanPixel {
-        let part = |k: u32| (f64::from(k) + 0.5) / f64::from(samples);
-        let share = 1.0 / f64::from(samples * samples);
+    /// The mean of a pixel by rays through the points of a grid.
+    fn mean(&self, size: [u32; 2], pixel: u32, grid: &PixelGrid) -> MeanPixel {
+        let share = 1.0 / grid.points().len() as f64;
         let bands = self.solved.scene.bands.len();
         let mut mean = MeanPixel { values: vec![0.0; bands], coverage: 0.0, emits: false };
-        for k in 0..samples * samples {
-            let at = place(size, pixel, [part(k % samples), part(k / samples)]);
-            let Some((surface, parameters)) = self.meet(at) else { continue };
+        for point in grid.points() {
+            let Some((surface, parameters)) = self.meet(place(size, pixel, *point)) else { continue };
             mean.coverage += share;
             for (band, sum) in mean.values.iter_mut().enumerate() {
                 *sum += share * self.value(band, surface, parameters);

@@ -7,6 +7,7 @@ use std::f64::consts::TAU;
 
 use radiosity_geom::{DVec3, Ray};
 use radiosity_reading::pictures::pinhole::Pinhole;
+use radiosity_reading::pictures::pixel_grid::PixelGrid;
 use radiosity_scene::{Camera, Scene};
 use radiosity_visibility::Visibility;
 use radiosity_work::ranks::{PartName, Ranks};
@@ -15,7 +16,7 @@ use crate::drawings::picture::{Colour, Picture};
 use crate::drawings::scale::Scale;
 use crate::drawings::stroke::Stroke;
 
-/// Camera rays along each side of a pixel. Chosen.
+/// Camera rays about along each side of a pixel. Chosen.
 const SAMPLES: u32 = 3;
 
 /// Radius of a disk over the height of the picture. Chosen.
@@ -124,10 +125,11 @@ fn ring(picture: &mut Picture, place: [f64; 2], radius: f64, colour: Colour) {
 /// The scene in grey.
 fn grey(scene: &Scene, visibility: &Visibility, camera: &Camera, view: &Pinhole, ranks: &Ranks) -> Picture {
     let [width, height] = [camera.width, camera.height].map(|pixels| pixels as usize);
+    let grid = PixelGrid::new(SAMPLES);
     let codes: Vec<u8> = ranks.map_even(PartName::Sights, width * height, width, |index| {
         let pixel = [index % width, index / width].map(|at| at as u32);
-        let sum: f64 = view.rays(pixel, SAMPLES).map(|ray| brightness(scene, visibility, &ray)).sum();
-        (255.0 * sum / f64::from(SAMPLES * SAMPLES)).round() as u8
+        let sum: f64 = view.rays(pixel, &grid).map(|ray| brightness(scene, visibility, &ray)).sum();
+        (255.0 * sum / grid.points().len() as f64).round() as u8
     });
     Picture::new(camera.width, camera.height, codes.into_iter().map(|code| [code; 3]).collect())
 }

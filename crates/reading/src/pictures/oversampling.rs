@@ -1,6 +1,6 @@
 //! Pixels that are sampled finely: those that an edge of a surface crosses, or that differ from one beside them.
 //!
-//! They average `samples × samples` points of a regular grid. A sample that sees the smooth surface that middles of
+//! They average the points of a turned grid (`pixel_grid`). A sample that sees the smooth surface that middles of
 //! pixels about it see takes the light of a fit to theirs where that leaves little; elsewhere its own is computed.
 
 use radiosity_light::penumbra::RayEffort;
@@ -30,16 +30,13 @@ const EVEN: f64 = 0.02;
 /// Rays for direct light at one of several samples of a pixel: their errors average out. Chosen.
 const ONE_OF_SEVERAL: RayEffort = RayEffort { error_factor: 3.0, sure: false };
 
-/// The corners of the unit square.
-const CORNERS: [[u32; 2]; 4] = [[0, 0], [1, 0], [0, 1], [1, 1]];
-
-/// One point of the regular grid of a pixel.
+/// One point of a pixel.
 #[derive(Clone, Copy, Debug)]
 struct Sample {
     /// The pixel of the frame.
     pixel: usize,
-    /// Place in the grid, along and down.
-    place: [u32; 2],
+    /// Place in the pixel, along and down, in pixels.
+    point: [f64; 2],
 }
 
 /// Place that a sample sees.
@@ -73,7 +70,7 @@ pub(super) struct Oversampling<'a> {
 }
 
 impl Oversampling<'_> {
-    /// Replaces pixels, seen by their middles, by means: at edges over all samples, elsewhere over the corners and
+    /// Replaces pixels, seen by their middles, by means: at edges over all samples, elsewhere over the outer ones and
     /// the middle if these see about the same, else over all samples too.
     pub(super) fn refine(
         &self,
@@ -82,67 +79,56 @@ impl Oversampling<'_> {
         crossings: &[Crossing],
         mut field: Option<&mut LightField>,
     ) {
-        let most = (SAMPLES_AT_ONCE / self.shot.samples.pow(2) as usize).max(1);
+        let most = (SAMPLES_AT_ONCE / self.shot.grid.points().len()).max(1);
+        let [outer, inner] = self.shot.grid.outer_and_inner();
         let crossed_by = |crossing: Crossing| -> Vec<usize> {
             (0..pixels.len()).filter(|place| crossings[*place] == crossing).collect()
         };
         let (edges, fine) = (crossed_by(Crossing::Edge), crossed_by(Crossing::Light));
         for edges in edges.chunks(most) {
-            let all = [self.corners(), self.others()].concat();
-            for (place, samples) in edges.iter().zip(self.sampled(lit, edges, all, field.as_deref_mut())) {
+            let samples = self.sampled(lit, edges, self.shot.grid.points(), field.as_deref_mut());
+            for (place, samples) in edges.iter().zip(samples) {
                 pixels[*place] = self.shot.mean(&samples);
             }
         }
         for fine in fine.chunks(most) {
-            let corners = self.sampled(lit, fine, self.corners(), field.as_deref_mut());
-            let wants_all = |own: usize| corners[own].iter().any(|one| apart(one, &pixels[fine[own]]));
+            let around = self.sampled(lit, fine, &outer, field.as_deref_mut());
+            let wants_all = |own: usize| around[own].iter().any(|one| apart(one, &pixels[fine[own]]));
             let (more, enough): (Vec<usize>, Vec<usize>) = (0..fine.len()).partition(|own| wants_all(*own));
             let places: Vec<usize> = more.iter().map(|own| fine[*own]).collect();
-            let rest = self.sampled(lit, &places, self.others(), field.as_deref_mut());
+            let rest = self.sampled(lit, &places, &inner, field.as_deref_mut());
             for (own, rest) in more.into_iter().zip(rest) {
-                pixels[fine[own]] = self.shot.mean(&[&corners[own][..], &rest].concat());
+                pixels[fine[own]] = self.shot.mean(&[&around[own][..], &rest].concat());
             }
             for own in enough {
                 let middle = pixels[fine[own]].clone();
-                pixels[fine[own]] = self.shot.mean(&[&corners[own][..], &[middle]].concat());
+                pixels[fine[own]] = self.shot.mean(&[&around[own][..], &[middle]].concat());
             }
         }
     }
 
-    /// The corners of the grid of a pixel.
-    fn corners(&self) -> Vec<[u32; 2]> {
-        CORNERS.map(|corner| corner.map(|at| at * (self.shot.samples - 1))).to_vec()
-    }
-
-    /// The points of the grid of a pixel but its corners.
-    fn others(&self) -> Vec<[u32; 2]> {
-        let (corners, count) = (self.corners(), self.shot.samples);
-        let all = (0..count).flat_map(|j| (0..count).map(move |i| [i, j]));
-        all.filter(|place| !corners.contains(place)).collect()
-    }
-
-    /// Samples at one grid of each of some pixels, pixel by pixel.
+    /// Samples at these points of each of some pixels, pixel by pixel.
     fn sampled(
         &self,
         lit: &FrameLight,
         pixels: &[usize],
-        grid: Vec<[u32; 2]>,
+        points: &[[f64; 2]],
         field: Option<&mut LightField>,
     ) -> Vec<Vec<Pixel>> {
         let of = |pixel: usize| {
             let pixel = self.start + pixel;
-            grid.iter().map(move |place| Sample { pixel, place: *place })
+            points.iter().map(move |point| Sample { pixel, point: *point })
         };
         let samples: Vec<Sample> = pixels.iter().flat_map(|pixel| of(*pixel)).collect();
         let all = self.shot.sampled(lit, self.first, &samples, field);
-        (0..pixels.len()).map(|own| all[own * grid.len()..][..grid.len()].to_vec()).collect()
+        (0..pixels.len()).map(|own| all[own * points.len()..][..points.len()].to_vec()).collect()
     }
 }
 
 impl Shot<'_> {
     /// Why a pixel of a frame that begins with the row `first`, seen by the middles `pixels`, is to be sampled finely.
     pub(super) fn crossing(&self, frame: &Frame, pixels: &[Pixel], pixel: usize, first: usize) -> Crossing {
-        match self.samples > 1 {
+        match self.grid.points().len() > 1 {
             true if self.is_edge(frame, pixel, first) => Crossing::Edge,
             true if differs(frame, pixels, pixel) => Crossing::Light,
             _ => Crossing::None,
@@ -160,21 +146,13 @@ impl Shot<'_> {
             frame.pixel(at).is_none_or(|other| frame.seen(other).is_some_and(|other| middle.goes_with(other)))
         };
         !beside.all(goes)
-            && CORNERS.iter().any(|place| {
-                let place = place.map(|at| at * (self.samples - 1));
-                let [x, y] = self.point(frame, Sample { pixel, place });
+            && self.grid.corners().into_iter().any(|point| {
+                let [x, y] = place(frame, Sample { pixel, point });
                 !self
                     .eye
                     .along(&self.view.ray(x, y + first as f64))
                     .is_some_and(|seen| middle.goes_with(&seen))
             })
-    }
-
-    /// The place in the frame of a sample.
-    fn point(&self, frame: &Frame, Sample { pixel, place }: Sample) -> [f64; 2] {
-        let [column, row] = frame.place(pixel);
-        let [x, y] = place.map(|k| (f64::from(k) + 0.5) / f64::from(self.samples));
-        [column as f64 + x, row as f64 + y]
     }
 
     /// The pixels as single samples of them see them, in the light `lit` of their middles and of those beside.
@@ -189,11 +167,11 @@ impl Shot<'_> {
         let frame = lit.frame();
         let seen: Vec<Option<SeenPlace>> =
             ranks.map_even(PartName::Sights, samples.len(), TOGETHER, |index| {
-                let [x, y] = self.point(frame, samples[index]);
+                let [x, y] = place(frame, samples[index]);
                 self.eye.along(&self.view.ray(x, y + first as f64))
             });
         let beside = |index: usize| {
-            let at = self.point(frame, samples[index]);
+            let at = place(frame, samples[index]);
             seen[index].as_ref().and_then(|seen| lit.beside(at, seen, EVEN))
         };
         let mut irradiance = ranks.map_even(PartName::SampleLight, samples.len(), TOGETHER, beside);
@@ -202,7 +180,7 @@ impl Shot<'_> {
         let places: Vec<SamplePlace> = open
             .iter()
             .filter_map(|index| {
-                let (pixel, at) = (frame.place(samples[*index].pixel), self.point(frame, samples[*index]));
+                let (pixel, at) = (frame.place(samples[*index].pixel), place(frame, samples[*index]));
                 Some(SamplePlace { pixel, at, seen: seen[*index]? })
             })
             .collect();
@@ -260,6 +238,12 @@ impl Shot<'_> {
         let beside = direct.iter().sum();
         AskedPlace { seen: place.seen, footprint, beside, error_factor: ONE_OF_SEVERAL.error_factor }
     }
+}
+
+/// The place of a sample in the frame, in pixels.
+fn place(frame: &Frame, Sample { pixel, point: [x, y] }: Sample) -> [f64; 2] {
+    let [column, row] = frame.place(pixel);
+    [column as f64 + x, row as f64 + y]
 }
 
 /// Whether a pixel differs from one of the eight beside it.

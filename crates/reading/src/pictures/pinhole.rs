@@ -3,6 +3,8 @@
 use radiosity_geom::{DVec3, Ray};
 use radiosity_scene::Camera;
 
+use super::pixel_grid::PixelGrid;
+
 /// A camera ready to cast rays.
 #[derive(Clone, Copy, Debug)]
 pub struct Pinhole {
@@ -53,13 +55,9 @@ impl Pinhole {
         (depth > 0.0).then(|| [across / depth, below / depth])
     }
 
-    /// Rays through `samples × samples` points of a regular grid over a pixel, counted from the left upper
-    /// one.
-    pub fn rays(&self, [column, row]: [u32; 2], samples: u32) -> impl Iterator<Item = Ray> {
-        let offset = move |k: u32| (f64::from(k) + 0.5) / f64::from(samples);
-        (0..samples * samples).map(move |k| {
-            self.ray(f64::from(column) + offset(k % samples), f64::from(row) + offset(k / samples))
-        })
+    /// Rays through the points of a grid over a pixel.
+    pub fn rays(&self, [column, row]: [u32; 2], grid: &PixelGrid) -> impl Iterator<Item = Ray> {
+        grid.points().iter().map(move |[x, y]| self.ray(f64::from(column) + x, f64::from(row) + y))
     }
 }
 

@@ -2,7 +2,7 @@
 //!
 //! The camera is a pinhole; a ray that meets the back of a surface, or nothing, is black. Light is computed
 //! at the middles of the pixels (`frame_light`). Pixels that an edge of a surface crosses or that differ from
-//! one beside them average `samples × samples` points of a regular grid. What is gathered comes from one light
+//! one beside them average the points of a turned grid (`pixel_grid`). What is gathered comes from one light
 //! field of the whole picture (`light_field`).
 
 use std::ops::Range;

@@ -8,6 +8,7 @@ use radiosity_work::ranks::{PartName, Ranks};
 use serde::{Deserialize, Serialize};
 
 use super::pinhole::Pinhole;
+use super::pixel_grid::PixelGrid;
 
 /// Surfaces and emitters seen through the pixels of a picture, in row order.
 #[derive(Clone, Debug)]
@@ -26,10 +27,10 @@ struct PixelSurface {
 }
 
 impl SeenSurfaces {
-    /// The surfaces seen by `camera` through `samples × samples` rays a pixel.
+    /// The surfaces seen by `camera` through the points of a grid over each pixel.
     pub fn through(
         camera: &Camera,
-        samples: u32,
+        grid: &PixelGrid,
         scene: &Scene,
         visibility: &Visibility,
         ranks: &Ranks,
@@ -39,7 +40,7 @@ impl SeenSurfaces {
         let pixels = ranks.map_even(PartName::Sights, count, camera.width as usize, |index| {
             let pixel = [index as u32 % camera.width, index as u32 / camera.width];
             pixel_surface(
-                view.rays(pixel, samples).map(|ray| {
+                view.rays(pixel, grid).map(|ray| {
                     let seen = visibility.nearest(&ray);
                     seen.filter(|seen| seen.front).map(|Encounter { surface, .. }| surface)
                 }),

@@ -9,6 +9,7 @@ use super::frame_light::FrameLight;
 use super::frame_light::forecast::seconds;
 use super::picture_light::PictureLight;
 use super::pinhole::Pinhole;
+use super::pixel_grid::PixelGrid;
 use super::pixel_samples::PixelSamples;
 
 /// The radiosity seen through a pixel.
@@ -34,8 +35,8 @@ pub(super) struct Shot<'a> {
     pub view: Pinhole,
     /// Pixels across and down.
     pub size: [usize; 2],
-    /// Camera rays along each side of a pixel.
-    pub samples: u32,
+    /// Points of a pixel that is sampled finely.
+    pub grid: PixelGrid,
     /// The work that the picture is a part of.
     pub work: &'a Work<'a>,
 }
@@ -50,7 +51,7 @@ impl<'a> Shot<'a> {
         work: &'a Work<'a>,
     ) -> Self {
         let size = [camera.width as usize, camera.height as usize];
-        Self { light, eye, view: Pinhole::new(camera), size, samples, work }
+        Self { light, eye, view: Pinhole::new(camera), size, grid: PixelGrid::new(samples), work }
     }
 
     /// About the seconds that the picture takes.

@@ -17,7 +17,7 @@ class Drawing {
     this.gradient = texture(gl, gl.LINEAR);
     const colours = new Uint8Array(header.gradient.flatMap((colour) => [...colour, 255]));
     gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA8, header.gradient.length, 1, 0, gl.RGBA, gl.UNSIGNED_BYTE, colours);
-    this.samples(header.samples);
+    this.sampleAt(header.points);
   }
 
   /** The corners of all triangles with their places in the atlas, and the triangles. */
@@ -42,12 +42,10 @@ class Drawing {
     gl.bindVertexArray(null);
   }
 
-  /** Takes `side` × `side` samples of a pixel, those near its middle first. */
-  samples(side) {
-    const places = Array.from({ length: side * side }, (_, k) =>
-      [k % side, Math.floor(k / side)].map((at) => (at + 0.5) / side - 0.5),
-    );
-    this.shifts = places.sort((a, b) => Math.hypot(...a) - Math.hypot(...b));
+  /** Takes samples at these points of a pixel, in pixels from its upper left corner, those near its middle first. */
+  sampleAt(points) {
+    const shifts = points.map((point) => point.map((at) => at - 0.5));
+    this.shifts = shifts.sort((a, b) => Math.hypot(...a) - Math.hypot(...b));
     this.restart();
   }
 

@@ -2,6 +2,7 @@
 
 use radiosity_scene::Camera;
 
+use radiosity_reading::pictures::pixel_grid::PixelGrid;
 use radiosity_reading::quantity::Quantity;
 
 /// The first view of a page.
@@ -9,8 +10,8 @@ use radiosity_reading::quantity::Quantity;
 pub struct FirstViewSettings {
     /// Camera of the first view.
     pub camera: Camera,
-    /// Samples along each side of a pixel, once the picture stands still.
-    pub samples: u32,
+    /// Points of a pixel at which it is sampled, once the picture stands still.
+    pub grid: PixelGrid,
     /// Factor on radiosities before they become colours, in proportion up to white; None: as it is chosen for
     /// pictures, with a soft approach to white.
     pub exposure: Option<f64>,

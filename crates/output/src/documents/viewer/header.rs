@@ -31,7 +31,8 @@ pub(super) struct Header<'a> {
     /// Vector to be added to all coordinates that are shown (scene length).
     middle: [f64; 3],
     camera: View,
-    samples: u32,
+    /// Points of a pixel at which it is sampled, in pixels from its upper left corner.
+    points: &'a [[f64; 2]],
     /// Exposure that is chosen for the first view, and the one asked for.
     automatic: f64,
     exposure: Option<f64>,
@@ -109,7 +110,7 @@ impl<'a> Header<'a> {
             scale,
             middle: scene.middle.to_array(),
             camera: View::of(&start.camera),
-            samples: start.samples,
+            points: start.grid.points(),
             automatic: automatic.factor(),
             exposure: start.exposure,
             quantity: match start.shown {
