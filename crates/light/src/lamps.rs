@@ -8,7 +8,7 @@
 //! ```
 //!
 //! and its points y, spread evenly, have the density p_l / A_l. An emitter of share 0 sends nothing to x. Of many
-//! emitters, those that are far together share what their ball sends, in proportion to E₀ A (module `tree`).
+//! emitters, those that are far together are chosen by what their balls send (module `tree`).
 
 mod lamp;
 mod tree;
@@ -22,7 +22,7 @@ use smallvec::SmallVec;
 
 use crate::receiver_point::ReceiverPoint;
 pub(crate) use lamp::Lamp;
-use tree::LampTree;
+use tree::{LampTree, NodePlace, SeenTree};
 
 /// Emitters from which on those that are far together are looked at as one. Chosen: beyond it a look at each takes
 /// longer than the ray that it chooses.
@@ -42,6 +42,8 @@ pub struct Lamps {
 #[derive(Debug)]
 pub struct Shares<'a> {
     lamps: &'a Lamps,
+    /// Those of a tree, where several share a part.
+    seen: Option<SeenTree<'a>>,
     /// Parts of the list, one after the other, that cover it. Those of few emitters take no memory of their own,
     /// which each end of a ray would ask for.
     parts: SmallVec<[Part; 16]>,
@@ -51,6 +53,8 @@ pub struct Shares<'a> {
 #[derive(Clone, Debug)]
 struct Part {
     lamps: Range<u32>,
+    /// Their node, where there is a tree.
+    node: Option<NodePlace>,
     /// Sum of their p_l.
     share: f64,
     /// Sum of the shares up to and with this part.
@@ -86,17 +90,23 @@ impl Lamps {
 
     /// Whether an emitter that may send light to a point is within so many of its radii.
     pub fn is_near(&self, receiver: &ReceiverPoint, radii: f64) -> bool {
-        let near =
-            |lamp: &Lamp| lamp.center.distance_squared(receiver.position) < (radii * lamp.radius).powi(2);
-        self.list.iter().any(|lamp| near(lamp) && lamp.bound(receiver) > 0.0)
+        let is_near = |lamp: &Lamp| {
+            lamp.center.distance_squared(receiver.position) < (radii * lamp.radius).powi(2)
+                && lamp.bound(receiver) > 0.0
+        };
+        match &self.tree {
+            Some(tree) => tree.any_near(&self.list, receiver.position, radii, is_near),
+            None => self.list.iter().any(is_near),
+        }
     }
 
     /// The shares of all emitters in the rays from a point.
     pub fn seen_from(&self, receiver: &ReceiverPoint) -> Shares<'_> {
         let Some(tree) = &self.tree else { return self.shares(|lamp| lamp.bound(receiver)) };
-        let mut parts = SmallVec::new();
-        tree.visit(&self.list, receiver, &mut |lamps, share| parts.push(Part { lamps, share, end: 0.0 }));
-        Shares::of(self, parts)
+        let seen = SeenTree { tree, list: &self.list, receiver: *receiver };
+        let part = |(node, share)| Part { lamps: seen.lamps(node), node: Some(node), share, end: 0.0 };
+        let parts = seen.nodes().map(part).collect();
+        Shares::of(self, parts, Some(seen))
     }
 
     /// The shares of emitters in the rays from a receiver, in proportion to the most that each sends to one of its
@@ -117,8 +127,13 @@ impl Lamps {
 
     /// The emitters with what each has a share in proportion to.
     fn shares(&self, of: impl Fn(&Lamp) -> f64) -> Shares<'_> {
-        let part = |(place, lamp): (u32, &Lamp)| Part { lamps: place..place + 1, share: of(lamp), end: 0.0 };
-        Shares::of(self, (0..).zip(&self.list).map(part).collect())
+        let part = |(place, lamp): (u32, &Lamp)| Part {
+            lamps: place..place + 1,
+            node: None,
+            share: of(lamp),
+            end: 0.0,
+        };
+        Shares::of(self, (0..).zip(&self.list).map(part).collect(), None)
     }
 }
 
@@ -130,7 +145,7 @@ pub(crate) fn brightness(coatings: &[&Coating], scale: &[f64], element: usize) -
 
 impl<'a> Shares<'a> {
     /// The emitters with what each part has a share in proportion to.
-    fn of(lamps: &'a Lamps, mut parts: SmallVec<[Part; 16]>) -> Self {
+    fn of(lamps: &'a Lamps, mut parts: SmallVec<[Part; 16]>, seen: Option<SeenTree<'a>>) -> Self {
         let all: f64 = parts.iter().map(|part| part.share).sum();
         if all > 0.0 {
             parts.iter_mut().for_each(|part| part.share /= all);
@@ -140,7 +155,7 @@ impl<'a> Shares<'a> {
             end += part.share;
             part.end = end;
         }
-        Self { lamps, parts }
+        Self { lamps, seen, parts }
     }
 
     /// Whether no emitter sends light to the point.
@@ -157,10 +172,8 @@ impl<'a> Shares<'a> {
 
     /// p_l of the emitter at a place of the list, in its part.
     fn share(&self, part: &Part, place: u32) -> f64 {
-        match &self.lamps.tree {
-            Some(tree) if part.lamps.len() > 1 && part.share > 0.0 => {
-                part.share * tree.share_of(&part.lamps, place)
-            }
+        match (&self.seen, part.node) {
+            (Some(seen), Some(node)) if part.share > 0.0 => part.share * seen.share_of(node, place),
             _ => part.share,
         }
     }
@@ -174,8 +187,8 @@ impl<'a> Shares<'a> {
         let index = index.or_else(|| self.parts.iter().position(|part| part.share > 0.0)).unwrap_or(0);
         let part = &self.parts[index];
         let rest = (choice * most - (part.end - part.share)) / part.share;
-        let place = match &self.lamps.tree {
-            Some(tree) if part.lamps.len() > 1 => tree.chosen(&part.lamps, rest),
+        let place = match (&self.seen, part.node) {
+            (Some(seen), Some(node)) => seen.chosen(node, rest),
             _ => part.lamps.start,
         };
         let lamp = &self.lamps.list[place as usize];
@@ -274,8 +287,8 @@ mod tests {
         }
     }
 
-    /// In a node 1/d² varies from m to M = (1.25/0.75)² m. Shares that are even over it have a second moment of at most
-    /// (m + M)²/(4 m M) = 1.29 (Kantorovich's inequality); cosines are not in this bound.
+    /// The second moment of a choice is below that of even shares where 1/d² varies from m to M = (1.25/0.75)² m, which is
+    /// (m + M)²/(4 m M) = 1.29 at most (Kantorovich's inequality).
     #[test]
     fn many_emitters_get_about_what_they_send() {
         let elements = elements();
