@@ -25,7 +25,7 @@ use radiosity_solve::solved::Solved;
 use radiosity_solve::studies::adaptation::Goal;
 use radiosity_solve::{Options, in_threads};
 use radiosity_work::ranks::Ranks;
-use radiosity_work::{Deadline, Pace, Work};
+use radiosity_work::{Deadline, Pace, Stage, Work};
 
 use crate::aim::{points_file, wanted};
 use crate::checkpoint::CheckpointArgs;
@@ -246,7 +246,8 @@ impl Run {
     /// cells are asked for or are soon done.
     pub(crate) fn reader<'a>(&'a self, settings: &ReadSettings, pace: Option<&'a Pace>) -> Reader<'a> {
         let reader = |settings: &ReadSettings| {
-            settings.reader(&self.solved.outcome.solution, self.solved.visibility())
+            let make = || settings.reader(&self.solved.outcome.solution, self.solved.visibility());
+            self.work().during(Stage::Tables, make)
         };
         let Some(pace) = pace else { return reader(settings) };
         let are_soon_done =

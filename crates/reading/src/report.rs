@@ -172,8 +172,8 @@ pub struct NamedJump {
 #[derive(Clone, Debug, Default, Serialize)]
 pub struct Seconds {
     /// The stages by their names: `load`, the reading of the scene; `visibility`, `elements`, `direct`, `blocks`
-    /// and `solve` of all solutions; `estimate` of a wanted accuracy; `points`, `cells`, `picture` and `texels` that
-    /// were read; `referee`, the check; `output`, what was made for files.
+    /// and `solve` of all solutions; `estimate` of a wanted accuracy; `tables` that readings share, and `points`,
+    /// `cells`, `picture` and `texels` that were read; `referee`, the check; `output`, what was made for files.
     #[serde(flatten)]
     pub stages: BTreeMap<&'static str, f64>,
     /// The whole run.

@@ -80,6 +80,8 @@ pub enum Stage {
     Comparison,
     /// Runs of a study, in thousandths of their work.
     Runs,
+    /// Tables of light that readings share; nothing is counted.
+    Tables,
     /// Points that are read.
     Points,
     /// Cells that are read.
@@ -121,6 +123,7 @@ impl Stage {
             Self::Estimate => "estimate",
             Self::Comparison => "for the error",
             Self::Runs => "runs",
+            Self::Tables => "tables",
             Self::Points => "points",
             Self::Cells => "cells",
             Self::Picture => "picture",
