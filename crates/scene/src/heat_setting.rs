@@ -133,7 +133,7 @@ impl Scene {
             (false, false) if by_name == by_material => Ok(by_name),
             (false, false) => Err(Fault::conflict(
                 format!("{name:?} is a surface, and a material of others, too"),
-                "rename one of them in the scene",
+                "give one of them another name in the scene",
             )),
             (true, true) => Err(self.unknown_holder(name)),
         }

@@ -51,8 +51,8 @@ pub(super) const ROWS: &[Typed] = &[
         told: &["rays leave an error of about", "or ask for an --accuracy"],
     },
     Typed {
-        bad: "view-factors room.toml --transport sampled --rays 2000 --eps 1e-1",
-        cured: "view-factors room.toml --transport sampled --rays 2000000 --eps 1e-1",
+        bad: "view-factors room.toml --transport sampled --rays 2000",
+        cured: "view-factors room.toml --transport sampled --rays 2000000",
         told: &["rays leave errors of up to", "rows miss: send more with --rays"],
     },
     Typed {

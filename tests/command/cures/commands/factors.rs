@@ -25,7 +25,7 @@ pub(super) const ROWS: &[Typed] = &[
     },
     Typed {
         bad: "view-factors room.toml --transport exact --rays 1000",
-        cured: "view-factors room.toml --transport sampled --rays 1000",
+        cured: "view-factors room.toml --transport exact",
         told: &["--rays does not go with --transport exact", "help: leave one of them out"],
     },
     Typed {

@@ -54,7 +54,10 @@ pub(super) const ROWS: &[Typed] = &[
     Typed {
         bad: "heat shared.toml --set a.emissivity=0.4",
         cured: "heat cool.toml --set a.emissivity=0.4",
-        told: &["is a surface, and a material of others, too", "help: rename one of them in the scene"],
+        told: &[
+            "is a surface, and a material of others, too",
+            "help: give one of them another name in the scene",
+        ],
     },
     Typed {
         bad: "heat cool.toml --rays 1000",
