@@ -5,7 +5,7 @@ use std::hint::black_box;
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use radiosity::Work;
-use radiosity::reading::pictures::render::render;
+use radiosity::reading::pictures::render::PictureRequest;
 use radiosity::reading::quantity::Quantity;
 use radiosity::reading::reader::ReadMode;
 use radiosity::scene::{Camera, Scene};
@@ -68,8 +68,18 @@ fn pictures(criterion: &mut Criterion) {
     for (name, read) in
         [("basis", ReadMode::Basis), ("direct", ReadMode::Direct), ("gather", ReadMode::Gather)]
     {
-        let picture =
-            || render(&outcome.solution, &visibility, &camera, 1, read, Quantity::Radiosity, &Work::alone());
+        let picture = || {
+            PictureRequest {
+                solution: &outcome.solution,
+                visibility: &visibility,
+                camera: &camera,
+                samples: 1,
+                read,
+                shown: Quantity::Radiosity,
+                is_preview: false,
+            }
+            .picture(&Work::alone())
+        };
         criterion.bench_function(&format!("picture read by {name}"), |bench| {
             bench.iter(|| in_threads(1, || black_box(picture())).expect("a thread can be started"));
         });

@@ -366,7 +366,7 @@ class Transfers(TypedDict, total=False):
         How it is found out what surfaces hide from each other [default: auto].
 
     transport: "auto", "exact" or "sampled"
-        How the pairs of elements are carried [default: exact].
+        How the pairs of elements are carried [default: auto].
 
     rays: int
         Rays of the sampled transport [default: by the number of surfaces and the accuracy].
@@ -394,7 +394,7 @@ class Transfers(TypedDict, total=False):
 
 
 class HeatMethod(Transfers, total=False):
-    """How a balance of heat is computed: the options of `Transfers`, whose `eps` is then 1e-4, and these.
+    """How a balance of heat is computed: the options of `Transfers`, whose `eps` is then 1e-4 and `transport` "exact", and these.
 
     order: int
         Degree of the polynomials on each element; 0 takes all fluxes as even over it, as thermal networks do [default: 3].

@@ -278,6 +278,25 @@ class Scene:
         with Shown(progress) as observer:
             return Heat(_radiosity.heat_of(self._native, method, observer))
 
+    def heat_sweep(
+        self,
+        quantity: str,
+        values: ArrayLike,
+        *,
+        progress: bool | Observer | None = None,
+        **method: Unpack[HeatMethod],
+    ) -> list[Heat]:
+        """The balances of radiant heat for some values of a quantity, by transfers that are found once.
+
+        `quantity` is a surface (or "wall-*", all whose names begin so) or a material, and one of temperature, heat_flux and emissivity:
+        "panel.emissivity". Path tracing checks the balance of the least emissivity (else that of the first value), which alone has
+        `checked`; the errors of all others are as many times larger. Options are those of `heat`, without conductances.
+        """
+        points = [float(value) for value in numbers("values", values, ("n",))]
+        with Shown(progress) as observer:
+            name = checked_text("quantity", quantity)
+            return [Heat(native) for native in _radiosity.heats_of(self._native, name, points, method, observer)]
+
     def __reduce_ex__(self, protocol: SupportsIndex) -> Any:
         """A scene that was read or used is copied by its text."""
         if self._valid is None:

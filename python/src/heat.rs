@@ -3,20 +3,22 @@
 use numpy::PyArrayDyn;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
+use radiosity::audit::HeatFault;
 use radiosity::heat as library;
 use radiosity::heat::SurfaceHeat;
 use radiosity::heat::remarks::{adiabatic_backs, light_without_heat, without_level};
 use radiosity::heat::remarks::{corrected, heat_unchecked, heat_underestimated, no_error_of_cut};
 use radiosity::kernel::WorstError;
 use radiosity::reading::accuracy_warning::missed;
-use radiosity::request::{CheckRequest, HeatRequest, TransferRequest};
+use radiosity::request::{CheckRequest, HeatRequest, HeatSweep, SweptHeat, TransferRequest};
+use radiosity::scene::HeatSetting;
 use radiosity::work::Work;
 use radiosity::work::ranks::Ranks;
 
 use crate::arguments::Arguments;
 use crate::arrays::array;
 use crate::checked;
-use crate::error::warn;
+use crate::error::{Trouble, warn};
 use crate::scene::{Scene, remarks};
 use crate::work::work;
 
@@ -41,14 +43,49 @@ pub(crate) fn heat_of(
     let request: HeatRequest = given.fields()?;
     let check: CheckRequest = given.fields()?;
     given.finish("heat")?;
+    let options = request.options(&transfers, conductances, Ranks::alone()).map_err(Trouble::from)?;
     let (heat, unchecked) = work(py, observer.as_ref(), |progress| {
-        let options = request.options(&transfers, conductances, Ranks::alone());
         let work = Work::alone().observed_by(progress);
         let mut heat = library::Heat::of(&scene.scene, &options, &work)?;
         let checked = || check.check_heat(&mut heat, &scene.scene, options.options.shadows, &work);
         let checked = options.options.in_threads(work.ranks, checked)?;
         Ok::<_, library::HeatError>((heat, checked.err()))
     })?;
+    warn_of(py, &heat)?;
+    Ok(Heat::of(heat, scene, unchecked.as_ref()))
+}
+
+/// The balances of a scene for some values of a quantity of heat, such as `panel.emissivity`.
+#[pyfunction]
+pub(crate) fn heats_of(
+    py: Python<'_>,
+    scene: &Scene,
+    quantity: &str,
+    values: Vec<f64>,
+    given: &Bound<'_, PyDict>,
+    observer: Option<Bound<'_, PyAny>>,
+) -> PyResult<Vec<Heat>> {
+    let mut given = Arguments::of(given)?;
+    let transfers: TransferRequest = given.fields()?;
+    let request: HeatRequest = given.fields()?;
+    let check: CheckRequest = given.fields()?;
+    given.finish("heat_sweep")?;
+    let sweep = HeatSweep::new(HeatSetting::named(quantity).map_err(Trouble::from)?, values);
+    let scenes = sweep.scenes(&scene.scene).map_err(Trouble::from)?;
+    if scenes.is_empty() {
+        return Ok(Vec::new());
+    }
+    let options = request.options(&transfers, false, Ranks::alone()).map_err(Trouble::from)?.options;
+    let swept = work(py, observer.as_ref(), |progress| {
+        sweep.balances(&scenes, &options, &check, &Work::alone().observed_by(progress))
+    })?;
+    let SweptHeat { balances, first, unchecked } = swept;
+    warn_of(py, &balances[first])?;
+    Ok(balances.into_iter().map(|heat| Heat::of(heat, scene, unchecked.as_ref())).collect())
+}
+
+/// Warns where a balance may be off.
+fn warn_of(py: Python<'_>, heat: &library::Heat) -> PyResult<()> {
     if let Some(worst) = heat.outcome.worst_error.filter(WorstError::is_real) {
         let surface = |element: usize| heat.outcome.solution.elements().list()[element].surface;
         warn(py, &missed(&worst, worst.pair.map(|element| heat.surfaces[surface(element)].name.as_str())))?;
@@ -56,24 +93,25 @@ pub(crate) fn heat_of(
     if !heat.is_cut {
         warn(py, &no_error_of_cut())?;
     }
-    if let Some(found) = heat.checked.as_ref().and_then(heat_underestimated) {
-        warn(py, &found)?;
-    }
-    let moved = heat.moved.map(corrected);
-    let unchecked = unchecked.as_ref().map(heat_unchecked);
-    let backs = adiabatic_backs(&heat.usual_backs(&scene.scene));
-    let remarks = remarks(&scene.scene)
-        .into_iter()
-        .chain(light_without_heat(&scene.scene))
-        .chain(backs)
-        .chain(without_level(&heat.without_level))
-        .chain(moved)
-        .chain(unchecked)
-        .collect();
-    Ok(Heat { heat, remarks })
+    heat.checked.as_ref().and_then(heat_underestimated).map_or(Ok(()), |found| warn(py, &found))
 }
 
 impl Heat {
+    /// A balance of `scene`, which no referee may have been able to read.
+    fn of(heat: library::Heat, scene: &Scene, unchecked: Option<&HeatFault>) -> Self {
+        let moved = heat.moved.map(corrected);
+        let backs = adiabatic_backs(&heat.usual_backs(&scene.scene));
+        let remarks = remarks(&scene.scene)
+            .into_iter()
+            .chain(light_without_heat(&scene.scene))
+            .chain(backs)
+            .chain(without_level(&heat.without_level))
+            .chain(moved)
+            .chain(unchecked.map(heat_unchecked))
+            .collect();
+        Self { heat, remarks }
+    }
+
     fn of_surfaces<'py>(&self, py: Python<'py>, of: fn(&SurfaceHeat) -> f64) -> Bound<'py, PyArrayDyn<f64>> {
         array(py, &[self.heat.surfaces.len()], self.heat.surfaces.iter().map(of).collect())
     }

@@ -44,7 +44,7 @@ mod _radiosity {
     #[pymodule_export]
     use super::grid::Grid;
     #[pymodule_export]
-    use super::heat::{Heat, heat_of};
+    use super::heat::{Heat, heat_of, heats_of};
     #[pymodule_export]
     use super::light::Light;
     #[pymodule_export]

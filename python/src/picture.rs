@@ -4,7 +4,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use radiosity::geom::DVec3;
 use radiosity::reading::pictures::raster::Raster;
-use radiosity::reading::pictures::render::render;
+use radiosity::reading::pictures::render::PictureRequest;
 use radiosity::reading::quantity::Quantity;
 use radiosity::reading::reader::ReadMode;
 use radiosity::request::picture::{SAMPLES, require_pixels, sized};
@@ -101,6 +101,15 @@ impl Shot {
         progress: &Progress,
     ) -> Raster {
         let work = Work::alone().observed_by(progress);
-        render(light, visibility, &self.camera, self.samples, read, self.show, &work)
+        PictureRequest {
+            solution: light,
+            visibility,
+            camera: &self.camera,
+            samples: self.samples,
+            read,
+            shown: self.show,
+            is_preview: false,
+        }
+        .picture(&work)
     }
 }

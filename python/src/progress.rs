@@ -42,7 +42,7 @@ impl Observer for Progress {
             Event::Done { stage, done, of } => self.step(stage.name(), done, of),
             Event::Rays { done, of, .. } => self.step("rays", done as usize, of as usize),
             Event::Iteration { band, of, .. } => self.step(Stage::Solve.name(), band, of),
-            Event::Expected { .. } | Event::Finished { .. } => {}
+            Event::Expected { .. } | Event::Began { .. } | Event::Ended { .. } => {}
         }
     }
 }

@@ -9,7 +9,7 @@ use pyo3::types::PyDict;
 use radiosity::audit::Checked;
 use radiosity::geom::shapes::Polygon;
 use radiosity::kernel::WorstError;
-use radiosity::reading::accuracy_warning::missed;
+use radiosity::reading::accuracy_warning::{missed, missed_by_rays};
 use radiosity::reading::checked_factors::CheckedFactors;
 use radiosity::reading::row_sums::RowSums;
 use radiosity::request::{CheckRequest, TransferRequest};
@@ -106,7 +106,7 @@ fn factors(
     let pairs =
         pairs.iter().map(indices).collect::<Result<BTreeSet<_>, SceneError>>().map_err(Trouble::from)?;
     let wanted = |i, j| pairs.is_empty() || pairs.contains(&[i, j]);
-    let options = request.factors();
+    let options = request.factors().map_err(Trouble::from)?;
     let from: BTreeSet<usize> = match pairs.is_empty() {
         true => (0..scene.surfaces.len()).collect(),
         false => pairs.iter().map(|pair| pair[0]).collect(),
@@ -133,6 +133,9 @@ fn factors(
     })?;
     if let Some(worst) = factors.worst_error.filter(WorstError::is_real) {
         warn(py, &missed(&worst, worst.pair.map(|surface| &factors.names[surface][..])))?;
+    }
+    if let Some(missed) = missed_by_rays(&factors, request.accuracy().eps) {
+        warn(py, &missed)?;
     }
     if let Some(finding) = told.checked.as_ref().and_then(Checked::finding) {
         warn(py, &format!("walks find the factors off by more than these tell: {finding}").into())?;

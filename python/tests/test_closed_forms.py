@@ -95,6 +95,24 @@ def test_heat_between_two_spheres(inner: float, outer: float):
     assert heat.is_closed
 
 
+def test_a_sweep_of_heat_between_two_spheres():
+    scene = radiosity.Scene()
+    hot = scene.material("hot", emissivity=0.7, temperature=800)
+    cold = scene.material("cold", emissivity=0.5, temperature=300)
+    scene.sphere("inner", hot, center=[0, 0, 0], radius=0.5)
+    scene.sphere("outer", cold, center=[0, 0, 0], radius=1, flip=True)
+    emissivities = np.linspace(0.9, 0.1, 5)
+    heats = scene.heat_sweep("cold.emissivity", emissivities, order=0, progress=False)
+    flow = math.pi * scipy.constants.sigma * (800**4 - 300**4) / (1 / 0.7 + 0.25 * (1 / emissivities - 1))
+    assert [heat.power[0] for heat in heats] == pytest.approx(flow.tolist(), rel=1e-9)
+    assert [heat.checked is not None for heat in heats] == [False] * 4 + [True], "the least emissivity is checked"
+    assert scene.heat_sweep("hot.temperature", [], progress=False) == []
+    with pytest.raises(radiosity.Error, match="warm(.|\n)*hot"):
+        scene.heat_sweep("warm.temperature", [300.0], progress=False)
+    with pytest.raises(radiosity.Error, match="temperature, heat_flux, emissivity"):
+        scene.heat_sweep("hot.reflectance", [0.5], progress=False)
+
+
 def test_a_point_light_by_the_square_of_its_distance():
     scene = radiosity.Scene(bands=["lm"], unit="lx")
     black = scene.material("black", reflectance=0)

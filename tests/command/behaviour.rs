@@ -421,8 +421,8 @@ fn messages_have_no_colours_and_no_bar_without_a_terminal() {
     let output = radiosity(folder.path(), &["solve", "furnace-cube", "--order", "0", "-v"]);
     let message = String::from_utf8(output.stderr).unwrap();
     assert!(!message.contains('\u{1b}') && !message.contains('\r'), "{message:?}");
-    let stages: Vec<&str> = message.lines().take(4).map(|line| line.split(':').next().unwrap()).collect();
-    assert_eq!(stages, ["visibility", "elements", "blocks", "solve"]);
+    let stages: Vec<&str> = message.lines().take(6).map(|line| line.split(':').next().unwrap()).collect();
+    assert_eq!(stages, ["visibility", "elements", "direct", "blocks", "solve", "self-checks"]);
     let quiet = radiosity(folder.path(), &["solve", "furnace-cube", "--order", "0", "--quiet"]);
     assert!(quiet.status.success() && quiet.stderr.is_empty() && quiet.stdout.is_empty());
 }

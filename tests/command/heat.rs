@@ -90,6 +90,42 @@ fn a_room_at_rest_is_told_to_be_closed() {
     assert!(told.contains("the scene is closed"), "{told}");
 }
 
+/// The rows of CSV.
+fn rows(text: &str) -> Vec<csv::StringRecord> {
+    csv::Reader::from_reader(text.as_bytes()).records().map(Result::unwrap).collect()
+}
+
+#[test]
+fn a_sweep_tells_what_single_runs_tell() {
+    let folder = tempfile::tempdir().unwrap();
+    let [swept, told] = heat(folder.path(), &["oven", "--sweep", "brick.emissivity=0.9..0.3/3"]);
+    assert!(
+        told.contains("3 values of brick.emissivity") && told.contains("brick.emissivity = 0.3"),
+        "{told}"
+    );
+    let swept = rows(&swept);
+    assert_eq!(swept.len(), 21);
+    for (point, emissivity) in ["0.9", "0.6", "0.3"].iter().enumerate() {
+        let setting = format!("brick.emissivity={emissivity}");
+        let [alone, _] = heat(folder.path(), &["oven", "--set", &setting, "--format", "csv", "-q"]);
+        for (own, other) in swept[7 * point..7 * point + 7].iter().zip(rows(&alone)) {
+            assert!((own[0].parse::<f64>().unwrap() - emissivity.parse::<f64>().unwrap()).abs() < 1e-15);
+            assert_eq!((&own[1], &own[3]), (&other[0], &other[2]));
+            for column in [3, 5, 6] {
+                let [own, other] = [&own[column + 1], &other[column]].map(|own| own.parse::<f64>().unwrap());
+                assert!((own - other).abs() < 1e-9 * other.abs().max(1e4), "{own} for {other}");
+            }
+        }
+    }
+    heat(folder.path(), &["oven", "--sweep", "panel.temperature=1000..1500/2", "-o", "T.json", "-q"]);
+    let json: Value = serde_json::from_slice(&fs::read(folder.path().join("T.json")).unwrap()).unwrap();
+    assert_eq!(json["swept"], "panel.temperature");
+    let points = json["points"].as_array().unwrap();
+    assert_eq!((points.len(), number(&points[1]["value"])), (2, 1500.0));
+    assert_eq!(number(&points[1]["surfaces"][5]["temperature"]), 1500.0);
+    assert!(points[0]["audit"].is_object() && points[1]["audit"].is_null());
+}
+
 #[test]
 fn a_picture_shows_temperatures_with_a_legend() {
     let folder = tempfile::tempdir().unwrap();
@@ -127,6 +163,13 @@ fn wrong_use_is_refused_before_the_work() {
     refused(&["oven", "--shadows", "mask"], &["'mask'", "auto, off, rays, exact"]);
     refused(&["oven", "--set", "heater=-5"], &["heater"]);
     refused(&["oven", "--order", "21"], &["21"]);
+    refused(&["oven", "--set", "panels.emissivity=0.5"], &["panels", "did you mean \"panel\"?"]);
+    refused(&["oven", "--set", "panel.emisivity=0.5"], &["emisivity", "did you mean \"emissivity\"?"]);
+    refused(&["oven", "--sweep", "panel.emissivity=0.5..2/3"], &["panel.emissivity", "0 < ε ≤ 1"]);
+    refused(&["oven", "--sweep", "panel.emissivity=0.5..0.9"], &["panel.emissivity=0.1..0.9/17"]);
+    let sweep = ["oven", "--sweep", "panel.emissivity=0.5..0.9/3"];
+    refused(&[&sweep[..], &["--format", "text"]].concat(), &["--format text", "--format csv or json"]);
+    refused(&[&sweep[..], &["--conductances", "C.csv"]].concat(), &["--sweep", "--conductances"]);
     refused(&["oven", "-o", "x.png", "--format", "csv", "--picture", "x.png"], &["x.png", "figures"]);
     refused(&["oven", "--isolines"], &["--isolines speaks of a picture", "--picture FILE.png"]);
     refused(&["oven", "--picture", "a.jpg"], &["a.jpg", ".png"]);

@@ -7,7 +7,7 @@ use std::time::{Duration, Instant};
 use radiosity::geom::DVec3;
 use radiosity::heat::{Heat, HeatOptions};
 use radiosity::kernel::Accuracy;
-use radiosity::reading::pictures::render::{ReadMode, render};
+use radiosity::reading::pictures::render::{PictureRequest, ReadMode};
 use radiosity::reading::quantity::Quantity;
 use radiosity::scene::Camera;
 use radiosity::solve::animation::follower::{FollowMode, Follower};
@@ -108,8 +108,18 @@ fn pictures_end_soon() {
     let large = Camera { width: 4000, height: 4000, ..camera };
     for read in [ReadMode::Gather, ReadMode::GatherTwice] {
         ends_soon("a picture", &|| {
-            let picture =
-                || render(&solution, &visibility, &large, 8, read, Quantity::Radiosity, &Work::alone());
+            let picture = || {
+                PictureRequest {
+                    solution: &solution,
+                    visibility: &visibility,
+                    camera: &large,
+                    samples: 8,
+                    read,
+                    shown: Quantity::Radiosity,
+                    is_preview: false,
+                }
+                .picture(&Work::alone())
+            };
             drop(in_threads(2, picture));
         });
     }

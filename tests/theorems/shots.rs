@@ -174,7 +174,8 @@ fn columns_integrated_as_they_are_shot_are_those_of_the_whole_matrix() {
         let visibility = options.visibility(&scene);
         let whole = blocks_of(&elements, &visibility, options.accuracy());
         let whole = ByColumn::of(&whole);
-        let columns = ColumnsAsShot::new(Demand::all(&elements, &visibility, options.accuracy()));
+        let columns =
+            ColumnsAsShot::new(Demand::all(&elements, &visibility, options.accuracy()), Work::alone());
         // In another order than that of the matrix.
         for element in (0..elements.list().len()).rev() {
             let [all, own] = [&whole as &dyn BlockColumns, &columns].map(|own| nonzero(own.column(element)));

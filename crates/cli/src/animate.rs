@@ -27,9 +27,9 @@ use radiosity_scene::Scene;
 use radiosity_solve::animation::follower::{FollowMode, Follower};
 use radiosity_solve::{LightMethod, Options};
 use radiosity_visibility::inspection::passages;
-use radiosity_work::Work;
 use radiosity_work::ranks::Ranks;
 use radiosity_work::wording::{option, words};
+use radiosity_work::{Observer, Progress as Event, Work};
 
 use crate::{
     console,
@@ -235,8 +235,14 @@ pub(crate) fn run(args: &AnimateArgs, loaded: Loaded, ranks: &Ranks) -> Result<(
     };
     let points = args.probe.as_deref().map(|points| Points::load(points, ranks)).transpose()?;
     let files = args.files(&loaded, range.ends()[0], ranks)?;
-    let progress = Progress::new(args.quiet, ranks);
+    let progress = Progress::new(args.quiet, loaded.started, ranks);
+    progress.begin_output();
     let work = Work::among(ranks).observed_by(&progress);
+    let stages = |event| {
+        if let Event::Began { .. } | Event::Ended { .. } = event {
+            progress.report(event);
+        }
+    };
     let follower = Follower::new(scene, &asked, args.way(), range.ends());
     let settings = args.read.plain(&args.method);
     let read = settings.read;
@@ -256,7 +262,7 @@ pub(crate) fn run(args: &AnimateArgs, loaded: Loaded, ranks: &Ranks) -> Result<(
         files,
         view,
         exposure,
-        ranks,
+        work: Work::among(ranks).observed_by(&stages),
     };
     let shooting = Shooting::new(shutter, scene, follower, range, &progress, &work);
     let Made { shutter, follower, made, error } = shooting.shoot()?;
@@ -268,6 +274,7 @@ pub(crate) fn run(args: &AnimateArgs, loaded: Loaded, ranks: &Ranks) -> Result<(
     progress.clear();
     if !args.quiet {
         let mut lines = summary::lines(&follower, made, begun.elapsed().as_secs_f64());
+        lines.push(progress.stages());
         lines.extend(RanksWork::so_far(ranks, asked.threads).map(|work| work.to_string()));
         lines.extend(outside(scene));
         lines.extend(chosen);

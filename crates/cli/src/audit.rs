@@ -3,6 +3,7 @@
 mod picture;
 
 use std::path::{Path, PathBuf};
+use std::time::Instant;
 
 use clap::{Args, Command, ValueEnum};
 use radiosity_audit::{Checked, Referee, WalkCost};
@@ -18,9 +19,9 @@ use radiosity_request::{
 use radiosity_scene::Scene;
 use radiosity_solve::in_threads;
 use radiosity_solve::view_factors::ViewFactors;
-use radiosity_work::Work;
 use radiosity_work::ranks::Ranks;
 use radiosity_work::wording::{option, words};
+use radiosity_work::{Stage, Work};
 
 use crate::{
     aim::wanted,
@@ -204,7 +205,7 @@ impl AuditArgs {
         let judging = self.audit.judging(&run.solved.scene);
         let referee = Referee::of_light(&run.solved.scene);
         let judge = || JudgedRun::of(&run.solved, &reading, &referee, &judging, &run.work());
-        let judged = run.in_threads(judge)?;
+        let judged = run.in_threads(|| run.work().during(Stage::Referee, judge))?;
         require_readings(&judged)?;
         outlet.write(&output::light::judgement(&run.solved.scene, &judging, &judged), self, ranks)?;
         if let Some(picture) = &picture {
@@ -221,19 +222,21 @@ impl AuditArgs {
 
     /// Computes the balance of heat and judges it.
     fn heat(&self, given: &TypedOptions, ranks: &Ranks) -> Result<(), CliError> {
+        let started = Instant::now();
         let scene = self.scene.request().load_lit(ranks)?;
         let ranks = &self.run.checkpoint.recording(given, &scene, &[], ranks)?;
         let outlet = self.outlet(|path| self.scene.reserve(path, ranks), ranks)?;
         let method = &self.run.method;
-        let options = HeatRequest::of(method)?.options(&TransferRequest::of(method)?, false, ranks);
-        let progress = Progress::of(&self.run.report, ranks);
+        let options = HeatRequest::of(method)?.options(&TransferRequest::of(method)?, false, ranks)?;
+        let progress = Progress::of(&self.run.report, started, ranks);
         let work = Work::among(ranks).observed_by(&progress);
         let heat = Heat::of(&scene, &options, &work)?;
         let surfaces = self.audit.chosen(&heat.judgeable(&scene));
         let effort = self.audit.effort(surfaces.len(), &WalkCost::of_heat(&scene));
         let judge = || JudgedHeat::of(&scene, &heat, &surfaces, &effort, &work);
-        let judged = options.options.in_threads(ranks, judge)??;
+        let judged = options.options.in_threads(ranks, || work.during(Stage::Referee, judge))??;
         progress.clear();
+        progress.begin_output();
         outlet.write(&output::heat::judgement(&judged), self, ranks)?;
         self.tell_files(&scene, ranks);
         self.judge("the heat is", &judged.checked)
@@ -241,18 +244,21 @@ impl AuditArgs {
 
     /// Computes view factors and judges them.
     fn view_factors(&self, given: &TypedOptions, ranks: &Ranks) -> Result<(), CliError> {
+        let started = Instant::now();
         let scene = self.scene.request().load(ranks)?;
         let ranks = &self.run.checkpoint.recording(given, &scene, &[], ranks)?;
         let outlet = self.outlet(|path| self.scene.reserve(path, ranks), ranks)?;
-        let options = TransferRequest::of(&self.run.method)?.factors();
-        let progress = Progress::of(&self.run.report, ranks);
+        let options = TransferRequest::of(&self.run.method)?.factors()?;
+        let progress = Progress::of(&self.run.report, started, ranks);
         let work = Work::among(ranks).observed_by(&progress);
         let factors = ViewFactors::new(&scene, &options, &work)?;
         let rows = self.audit.chosen(&(0..scene.surfaces.len()).collect::<Vec<_>>());
         let effort = self.audit.effort(rows.len(), &WalkCost::of_view_factors(&scene));
         let judge = || JudgedFactors::of(&scene, &factors, &rows, &|_, _| true, &effort, &work);
+        let judge = || work.during(Stage::Referee, judge);
         let judged = in_threads(ranks.threads(options.threads), judge)?;
         progress.clear();
+        progress.begin_output();
         if judged.factors.is_empty() {
             return Err(CliError::refused(
                 "no view factor is large enough to be judged",

@@ -102,7 +102,7 @@ pub(crate) fn run(args: &ConvergenceArgs, loaded: &Loaded, ranks: &Ranks) -> Res
     let kind = of_kind(&path, "kind of drawing", "choose a file ending in .svg or .png")?;
     let output = args.scene.reserve(&path, ranks)?;
     let reference = args.reference.as_deref().map(|path| same_scene(path, scene, ranks)).transpose()?;
-    let progress = Progress::new(args.quiet, ranks);
+    let progress = Progress::new(args.quiet, loaded.started, ranks);
     let work = Work::among(ranks).observed_by(&progress);
     let options = args.method.options(ranks);
     let other = args.other_series();
@@ -119,7 +119,8 @@ pub(crate) fn run(args: &ConvergenceArgs, loaded: &Loaded, ranks: &Ranks) -> Res
             study(&Reference::Given(&error))?
         }
     };
-    drop(progress);
+    progress.clear();
+    progress.begin_output();
     draw(&drawing(args, scene, options.eps, &runs), kind, &output)?;
     let table = table(&runs);
     Destination::of(None, ranks).write(|writer| match args.format {
@@ -128,7 +129,8 @@ pub(crate) fn run(args: &ConvergenceArgs, loaded: &Loaded, ranks: &Ranks) -> Res
     })?;
     if !args.quiet {
         let written = format!("wrote {}", path.display());
-        let lines: Vec<String> = outside(scene).into_iter().chain([written]).collect();
+        let lines = [progress.stages()].into_iter().chain(outside(scene)).chain([written]);
+        let lines: Vec<String> = lines.collect();
         console::tell(&lines, ranks);
     }
     Ok(())

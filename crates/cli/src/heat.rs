@@ -1,8 +1,10 @@
 //! `radiosity heat`: temperatures and net flows of radiant heat.
 
 mod picture;
+mod sweep;
 
 use std::path::{Path, PathBuf};
+use std::str::FromStr;
 use std::time::Instant;
 
 use clap::{Args, ValueEnum};
@@ -13,8 +15,8 @@ use radiosity_heat::remarks::{corrected, heat_unchecked, heat_underestimated, no
 use radiosity_kernel::WorstError;
 use radiosity_output::documents::heat as output;
 use radiosity_reading::accuracy_warning::missed;
-use radiosity_request::HeatRequest;
-use radiosity_scene::Scene;
+use radiosity_request::{HeatRequest, HeatSweep, SceneRequest};
+use radiosity_scene::{HeatSetting, Scene};
 use radiosity_work::digits::significant;
 use radiosity_work::ranks::Ranks;
 use radiosity_work::{Observer, Progress as Event, Stage, Work};
@@ -35,22 +37,32 @@ const NOTES: &str = "\
 Examples:
   radiosity heat                              the built-in oven
   radiosity heat oven --set heater=1500       its panels at 1500 K
+  radiosity heat oven --set brick.emissivity=0.5
+  radiosity heat oven --sweep panel.emissivity=0.1..0.9/17 -o panel.csv
   radiosity heat satellite.toml -o nodes.csv --conductances C.csv
   radiosity heat oven --picture oven.png --isolines
 
 Every surface, or its material, has one of temperature = … (K), heat_flux = … (W/m²) and adiabatic = true, and an
 emissivity. Lengths are metres. The back of a surface of one side is adiabatic; back = \"front\" or back = … (K) say
 otherwise. What leaves the scene goes to surroundings at 0 K. Conduction, convection and stored heat are left out; where
-they are known, they are a heat_flux.";
+they are known, they are a heat_flux.
+
+NAME.KEY of --set and --sweep is a quantity of a surface, of all whose names begin alike (\"wall-*\"), or of the surfaces of
+a material; KEY is temperature, heat_flux or emissivity. A sweep finds the transfers once, at its least emissivity. Path
+tracing checks the balance there, and errors of all others are as many times larger.";
 
 /// Temperatures, net fluxes and flows of radiant heat between grey surfaces
 #[derive(Debug, Args)]
 #[command(
     mut_arg("scene", |scene| scene.default_value("oven")),
+    mut_arg("settings", |set| {
+        set.value_name("NAME=VALUE|NAME.KEY=VALUE").help("Sets a parameter of a built-in scene (`radiosity scenes` lists them) or a variable of a scene file, or a quantity of heat of surfaces or of a material; as often as needed")
+    }),
     mut_arg("eps", |eps| eps.help("Accuracy of the transfers between elements, between 0 and 1 [default: 1e-4]")),
     mut_arg("subdivide", |cuts| {
         cuts.help("Cuts each surface into K × K elements; auto looks at what the scene needs [default: auto]")
     }),
+    mut_arg("transport", |transport| transport.help("How the pairs of elements are carried [default: exact]")),
     mut_arg("rays", |rays| {
         rays.help("Rays of the sampled transport [default: by the number of surfaces and --shadow-eps]")
     }),
@@ -78,6 +90,16 @@ pub(crate) struct HeatArgs {
     /// .npz: from i to j flows C_ij σ (T_i⁴ − T_j⁴)
     #[arg(long, value_name = "FILE")]
     pub(crate) conductances: Option<PathBuf>,
+
+    /// Balances for N values of a quantity from A to B, such as panel.emissivity=0.1..0.9/17, by transfers that are
+    /// found once; the figures are then CSV or JSON
+    #[arg(
+        long,
+        value_name = "NAME.KEY=A..B/N",
+        value_parser = HeatSweep::from_str,
+        conflicts_with_all = ["conductances", "picture"]
+    )]
+    sweep: Option<HeatSweep>,
 
     #[command(flatten)]
     request: HeatRequest,
@@ -122,39 +144,74 @@ const DIGITS: usize = 6;
 /// Computes the balance of heat and writes it.
 pub(crate) fn run(args: &HeatArgs, given: &TypedOptions, ranks: &Ranks) -> Result<(), CliError> {
     let start = Instant::now();
-    let scene = args.scene.request().load_lit(ranks)?;
+    let options = args.request.options(&args.transfers.request, args.conductances.is_some(), ranks)?;
+    let read = args.read(ranks)?;
+    let scene = args.set(read.clone())?;
     let ranks = &args.transfers.checkpoint.recording(given, &scene, &[], ranks)?;
+    if let Some(sweep) = &args.sweep {
+        return sweep::run(sweep, args, &options.options, start, [&read, &scene], ranks);
+    }
     let files = HeatFiles::reserve(args, &scene, ranks)?;
-    let progress = Progress::new(args.transfers.quiet, ranks);
-    let show = |event| {
-        if let Event::Done { stage: Stage::Blocks | Stage::Comparison, .. } | Event::Rays { .. } = event {
-            progress.report(event);
-        }
-    };
-    let options = args.request.options(&args.transfers.request, args.conductances.is_some(), ranks);
+    let progress = Progress::new(args.transfers.quiet, start, ranks);
+    let show = |event| shown(event).into_iter().for_each(|event| progress.report(event));
     let work = Work::among(ranks).observed_by(&show);
     let mut heat = Heat::of(&scene, &options, &work)?;
     let checked = || args.transfers.check.check_heat(&mut heat, &scene, options.options.shadows, &work);
     let unchecked = options.options.in_threads(ranks, checked)?.err();
+    progress.begin_output();
     files.write(&heat)?;
     let mut first = vec![];
     if let Some(picture) = files.picture {
         first.extend(picture.told.clone());
         let visibility = options.options.visibility(&scene);
-        let take = || picture.take(&scene, &visibility, &heat, ranks);
+        let take = || picture.take(&scene, &visibility, &heat, &work);
         let taken = options.options.in_threads(ranks, take)?;
         picture.file.write(|writer| taken.write_png(writer))?;
     }
-    drop(progress);
+    progress.clear();
     let elapsed = start.elapsed().as_secs_f64();
     first.insert(0, format!("{}: {} surfaces, {elapsed:.3} s", scene.name, heat.surfaces.len()));
+    first.insert(1, progress.stages());
     let written = args.output.iter().chain(&args.conductances).chain(&args.picture.picture);
     let findings = findings(&scene, &heat, unchecked.as_ref());
-    args.transfers.tell(first, &scene, findings, written, ranks);
+    args.transfers.tell(first, &read, findings, written, ranks);
     match heat.checked.as_ref().filter(|checked| args.scene.strict && checked.finds_more()) {
         Some(checked) => Err(CliError::FoundMore { what: "the heat is", told: checked.own_error }),
         None => Ok(()),
     }
+}
+
+/// Progress of a balance that is shown: pairs and rays, and those of them that tell the error; the ledger hears of all
+/// stages.
+fn shown(event: Event) -> Option<Event> {
+    let is_shown = match event {
+        Event::Done { stage, .. } => matches!(stage, Stage::Blocks | Stage::Comparison | Stage::Runs),
+        Event::Rays { .. } | Event::Began { .. } | Event::Ended { .. } => true,
+        Event::Expected { .. } | Event::Iteration { .. } => false,
+    };
+    is_shown.then_some(event)
+}
+
+impl HeatArgs {
+    /// The scene with its parameters, variables and light groups as they were set.
+    fn read(&self, ranks: &Ranks) -> Result<Scene, CliError> {
+        let request = self.scene.request();
+        let settings = request.settings.into_iter().filter(|(name, _)| !is_of_heat(name)).collect();
+        Ok(SceneRequest { settings, ..self.scene.request() }.load_lit(ranks)?)
+    }
+
+    /// The scene with the heat of its surfaces as it was set.
+    fn set(&self, mut scene: Scene) -> Result<Scene, CliError> {
+        for (name, value) in self.scene.settings.iter().filter(|(name, _)| is_of_heat(name)) {
+            scene = scene.with_heat(&HeatSetting::named(name)?, *value)?;
+        }
+        Ok(scene)
+    }
+}
+
+/// Whether the name of a setting is that of a quantity of heat, with a key behind a point.
+fn is_of_heat(name: &str) -> bool {
+    name.contains('.')
 }
 
 /// The files of a balance, reserved before the work.

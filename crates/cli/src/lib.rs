@@ -1,12 +1,12 @@
 //! The command line `radiosity`: its verbs, and what each writes, and where.
 //!
 //! In order: what is typed and told (`console`, `interrupt`, `numbers`, `error`, `given`); options that verbs
-//! share (`checkpoint` to `options`, the masks, planes and colours among them); `forecast`, `destination` and
-//! `progress` of long work; `loaded` (a scene as it was read) and `run` (the scene solved, for every verb that
-//! needs light), and what verbs read from and print to (`read` to `plan`); the verbs, from `grid`, `probe`,
-//! `audit`, `solve` and `relight` over `render`, `animate`, `convergence`, `check`, `scenes`, `schema` and `convert` to
-//! `view_factors`, `heat` and `report`; `rounds` and `processes` (ranks that MPI connects), and `launch` (one
-//! process, or several ranks).
+//! share (`checkpoint` to `options`, the masks, planes and colours among them); `forecast`, `destination`,
+//! `ledger` and `progress` of long work; `loaded` (a scene as it was read) and `run` (the scene solved, for
+//! every verb that needs light), and what verbs read from and print to (`read` to `plan`); the verbs, from
+//! `grid`, `probe`, `audit`, `solve` and `relight` over `render`, `animate`, `convergence`, `check`,
+//! `scenes`, `schema` and `convert` to `view_factors`, `heat` and `report`; `rounds` and `processes` (ranks
+//! that MPI connects), and `launch` (one process, or several ranks).
 //!
 //! The only noun outside is [`launch`], which the binary calls.
 //!
@@ -31,6 +31,7 @@ mod output_file;
 mod options;
 mod forecast;
 mod destination;
+mod ledger;
 mod progress;
 mod loaded;
 mod run;

@@ -32,8 +32,6 @@ pub(crate) struct Loaded {
     pub(crate) is_strict: bool,
     /// When its reading began.
     pub(crate) started: Instant,
-    /// Seconds of reading.
-    pub(crate) seconds: f64,
 }
 
 /// Content of a file of a scene.
@@ -95,7 +93,7 @@ impl Loaded {
 
     fn new(file: Option<&Path>, content: Content, started: Instant) -> Self {
         let file = file.map(Path::to_owned);
-        Self { content, file, is_strict: false, started, seconds: started.elapsed().as_secs_f64() }
+        Self { content, file, is_strict: false, started }
     }
 
     /// As of a verb that is strict, or not.

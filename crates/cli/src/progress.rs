@@ -1,14 +1,15 @@
 //! A bar on stderr for long work: stage, done and total, rate, time left.
 
 use std::io::{IsTerminal, Write, stderr};
-use std::sync::{Mutex, PoisonError};
-use std::time::Duration;
+use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use radiosity_output::drawings::nice_numbers::round_above;
 use radiosity_work::ranks::Ranks;
 use radiosity_work::{Observer, Progress as Event, Stage};
 
+use crate::ledger::Ledger;
 use crate::options::ReportArgs;
 
 /// A progress bar; silent if stderr is not a terminal or the user wants quiet. It has no colours.
@@ -21,23 +22,25 @@ pub(crate) struct Progress {
     pub(crate) verbose: bool,
     /// Words at the end of every line.
     whole: Mutex<String>,
+    ledger: Mutex<Ledger>,
 }
 
 /// Seconds from which waiting is announced. Chosen.
 const LONG: f64 = 1.0;
 
 impl Progress {
-    /// A bar that shows nothing yet; on the first of these ranks only.
-    pub(crate) fn new(quiet: bool, ranks: &Ranks) -> Self {
-        Self::telling(quiet, false, ranks)
+    /// A bar of a run that began at this instant with what is done by now, which shows nothing yet; on the first of
+    /// these ranks only.
+    pub(crate) fn new(quiet: bool, started: Instant, ranks: &Ranks) -> Self {
+        Self::telling(quiet, false, started, ranks)
     }
 
     /// A bar with the messages that `report` asks for.
-    pub(crate) fn of(report: &ReportArgs, ranks: &Ranks) -> Self {
-        Self::telling(report.quiet, report.verbose, ranks)
+    pub(crate) fn of(report: &ReportArgs, started: Instant, ranks: &Ranks) -> Self {
+        Self::telling(report.quiet, report.verbose, started, ranks)
     }
 
-    fn telling(quiet: bool, verbose: bool, ranks: &Ranks) -> Self {
+    fn telling(quiet: bool, verbose: bool, started: Instant, ranks: &Ranks) -> Self {
         let quiet = quiet || !ranks.is_first();
         let shown = !quiet && stderr().is_terminal();
         let target =
@@ -47,12 +50,30 @@ impl Progress {
         )
         .expect("the template is correct")
         .progress_chars("=> ");
+        let mut ledger = Ledger::since(started);
+        ledger.enter(None);
         Progress {
             bar: ProgressBar::with_draw_target(Some(0), target).with_style(style),
             quiet,
             verbose,
             whole: Mutex::default(),
+            ledger: Mutex::new(ledger),
         }
+    }
+
+    /// The ledger of the run.
+    pub(crate) fn ledger(&self) -> MutexGuard<'_, Ledger> {
+        self.ledger.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// Notes that what is done from now on in no other stage is for files.
+    pub(crate) fn begin_output(&self) {
+        self.ledger().enter(Some(Stage::Output));
+    }
+
+    /// The line of a summary on the stages of the run.
+    pub(crate) fn stages(&self) -> String {
+        self.ledger().line(self.verbose)
     }
 
     /// Shows that `done` of `total` steps of a stage are done; may be called from any thread.
@@ -120,8 +141,11 @@ impl Observer for Progress {
             Event::Done { stage, done, of } => self.show(stage.name(), done, of),
             Event::Rays { done, of, error } => self.show_rays(done, of, error),
             Event::Iteration { band, of, .. } => self.show(Stage::Solve.name(), band, of),
-            Event::Finished { stage, took } if self.verbose => self.tell(stage, took),
-            Event::Finished { .. } => {}
+            Event::Began { stage } => self.ledger().begin(stage),
+            Event::Ended { stage } => {
+                let took = self.ledger().end(stage);
+                took.into_iter().filter(|_| self.verbose).for_each(|took| self.tell(stage, took));
+            }
         }
     }
 }

@@ -10,9 +10,7 @@ use radiosity_reading::own_error::OwnError;
 use radiosity_reading::pictures::pixel_grid::PixelGrid;
 use radiosity_reading::pictures::printed_pixels::{PrintedPixels, settings_of_pictures};
 use radiosity_reading::pictures::raster::Raster;
-use radiosity_reading::pictures::render::{
-    ACCURACY_OF_PREVIEWS, preview, render, seconds_to_render, white_balance,
-};
+use radiosity_reading::pictures::render::{ACCURACY_OF_PREVIEWS, PictureRequest, white_balance};
 use radiosity_reading::pictures::seen_surfaces::SeenSurfaces;
 use radiosity_reading::quality::Quality;
 use radiosity_reading::quantity::Quantity;
@@ -230,12 +228,11 @@ impl RenderArgs {
         style: &mut Style<'_>,
         ranks: &Ranks,
     ) -> Result<Shot, CliError> {
-        let (visibility, show) = (run.solved.visibility(), self.shown_quantity());
+        let visibility = run.solved.visibility();
         let way = run.in_threads(|| self.way(run, solution, camera))?;
-        let Way { read, samples, .. } = way;
+        let samples = way.samples;
         let take = |solution: &Solution, visibility: &Visibility| {
-            let take = if way.is_rough { preview } else { render };
-            take(solution, visibility, camera, samples, read, show, &run.work())
+            self.request(&way, solution, visibility, camera).picture(&run.work())
         };
         run.in_threads(|| {
             style.take_other(|other| take(&other.outcome.solution, other.visibility()));
@@ -261,14 +258,25 @@ impl RenderArgs {
         // A wanted accuracy counts more than the time.
         let is_bound = read == ReadMode::Basis || self.run.method.wanted_accuracy().is_some();
         let Some(left) = run.time_left().filter(|_| !is_bound) else { return asked };
-        let (visibility, shown) = (run.solved.visibility(), self.shown_quantity());
         let fits = |way: &Way| {
-            let Way { read, samples, .. } = *way;
-            let seconds = seconds_to_render(solution, visibility, camera, samples, read, shown, &run.work());
-            seconds <= left.as_secs_f64()
+            let request = self.request(way, solution, run.solved.visibility(), camera);
+            request.seconds(&run.work()) <= left.as_secs_f64()
         };
         let basis = Way::hurried(ReadMode::Basis);
         [asked, Way::hurried(ReadMode::Direct)].into_iter().find(fits).unwrap_or(basis)
+    }
+
+    /// The request for the picture of a solution.
+    fn request<'a>(
+        &self,
+        way: &Way,
+        solution: &'a Solution,
+        visibility: &'a Visibility,
+        camera: &'a Camera,
+    ) -> PictureRequest<'a> {
+        let Way { read, samples, is_rough, .. } = *way;
+        let shown = self.shown_quantity();
+        PictureRequest { solution, visibility, camera, samples, read, shown, is_preview: is_rough }
     }
 
     /// The quantity that the pixels hold.

@@ -14,7 +14,7 @@ use radiosity_request::ranges::Threads;
 use radiosity_scene::Scene;
 use radiosity_solve::Options;
 use radiosity_work::ranks::Ranks;
-use radiosity_work::{Progress as Event, Stage, Work};
+use radiosity_work::{Observer, Progress as Event, Stage, Work};
 
 use crate::{
     console,
@@ -67,16 +67,18 @@ fn run_in_the_dark(
         ));
     }
     let files = ReportFiles::reserve(path, &[], |path| loaded.reserve(path, report, ranks))?;
-    let progress = Progress::of(report, ranks);
+    let progress = Progress::of(report, loaded.started, ranks);
     let heat = heat(args, loaded.scene(), &progress, ranks)?;
     let command = command();
     let page = ReportPage { scene: loaded.scene(), light: None, heat: Some(Ok(&heat)), command: &command };
+    progress.begin_output();
     files.write(&page.document())?;
-    drop(progress);
+    progress.clear();
     let checkpoint = Checkpoint::so_far(ranks);
     if !report.quiet {
         let mut lines: Vec<String> = checkpoint.iter().map(Checkpoint::to_string).collect();
         lines.extend(checkpoint.and_then(|own| own.warning()).map(|warning| warning.to_string()));
+        lines.push(progress.stages());
         lines.extend(outside(loaded.scene()));
         lines.push(format!("wrote {}", files.written()));
         console::tell(&lines, ranks);
@@ -86,10 +88,12 @@ fn run_in_the_dark(
 
 /// The balance of heat, as `radiosity heat` computes it unless told otherwise.
 fn heat(args: &ReportPageArgs, scene: &Scene, progress: &Progress, ranks: &Ranks) -> Result<Heat, HeatError> {
-    let show = |event| {
-        if let Event::Done { stage: Stage::Blocks | Stage::Comparison, done, of } = event {
+    let show = |event| match event {
+        Event::Done { stage: Stage::Blocks | Stage::Comparison, done, of } => {
             progress.show("blocks of heat", done, of);
         }
+        Event::Began { .. } | Event::Ended { .. } => progress.report(event),
+        _ => {}
     };
     let usual = HeatOptions::default();
     let threads = args.run.method.threads.map_or(usual.options.threads, Threads::count);

@@ -25,7 +25,7 @@ use radiosity_solve::solved::Solved;
 use radiosity_solve::studies::adaptation::Goal;
 use radiosity_solve::{Options, in_threads};
 use radiosity_work::ranks::Ranks;
-use radiosity_work::{Deadline, Pace, Work};
+use radiosity_work::{Deadline, Pace, Stage, Work};
 
 use crate::aim::{points_file, wanted};
 use crate::checkpoint::CheckpointArgs;
@@ -88,7 +88,6 @@ pub(crate) struct Run {
     report: Report,
     check: CheckRequest,
     start: Start,
-    ready: Instant,
 }
 
 /// A run before its scene is solved.
@@ -105,8 +104,6 @@ struct Start {
     /// Whether the run fails where a check finds more than the method tells.
     is_strict: bool,
     started: Instant,
-    /// Seconds of reading.
-    seconds: f64,
 }
 
 impl Start {
@@ -119,14 +116,13 @@ impl Start {
     ) -> Result<Self, CliError> {
         Ok(Self {
             ranks: ranks.clone(),
-            progress: Progress::of(report, ranks),
+            progress: Progress::of(report, loaded.started, ranks),
             deadline,
             read_until: None,
             report_file: report.reserve(ranks)?.map(|file| loaded.apart(file)).transpose()?,
             is_saved: matches!(loaded.content, Content::Solved(_)),
             is_strict: loaded.is_strict,
             started: loaded.started,
-            seconds: loaded.seconds,
         })
     }
 
@@ -215,9 +211,9 @@ impl Run {
 
     fn new(solved: Solved, start: Start, check: CheckRequest, threads: usize) -> Self {
         let threads = start.ranks.threads(threads);
-        let mut report = Report::new(&solved, threads);
-        report.seconds.load = start.seconds;
-        Self { solved, threads, report, check, start, ready: Instant::now() }
+        start.progress.begin_output();
+        let report = Report::new(&solved, threads);
+        Self { solved, threads, report, check, start }
     }
 
     /// Whether the solution was read from a file.
@@ -250,7 +246,8 @@ impl Run {
     /// cells are asked for or are soon done.
     pub(crate) fn reader<'a>(&'a self, settings: &ReadSettings, pace: Option<&'a Pace>) -> Reader<'a> {
         let reader = |settings: &ReadSettings| {
-            settings.reader(&self.solved.outcome.solution, self.solved.visibility())
+            let make = || settings.reader(&self.solved.outcome.solution, self.solved.visibility());
+            self.work().during(Stage::Tables, make)
         };
         let Some(pace) = pace else { return reader(settings) };
         let are_soon_done =
@@ -328,12 +325,11 @@ impl Run {
     /// Ends the run: times the output, writes the summary to stderr, writes the report; fails where a wanted
     /// accuracy was not reached, and a strict run where more is found than the method tells.
     pub(crate) fn finish(mut self, written: Option<&str>) -> Result<(), CliError> {
-        let Start { ranks, progress, report_file, is_saved, is_strict, started, .. } = &self.start;
+        let Start { ranks, progress, report_file, is_saved, is_strict, .. } = &self.start;
         if report_file.is_some() || progress.verbose {
             self.report.compare_joints(&self.solved);
         }
-        self.report.seconds.output = self.ready.elapsed().as_secs_f64();
-        self.report.seconds.total = started.elapsed().as_secs_f64();
+        self.report.seconds = progress.ledger().report();
         self.report.ranks = RanksWork::so_far(ranks, self.threads);
         self.report.add_checkpoint(Checkpoint::so_far(ranks));
         progress.clear();

@@ -10,15 +10,15 @@ use radiosity_audit::Checked;
 use radiosity_kernel::WorstError;
 use radiosity_output::files::view_factors as output;
 use radiosity_output::files::view_factors::Sparse;
-use radiosity_reading::accuracy_warning::missed;
+use radiosity_reading::accuracy_warning::{missed, missed_by_rays};
 use radiosity_reading::checked_factors::CheckedFactors;
 use radiosity_reading::row_sums::RowSums;
 use radiosity_scene::Scene;
 use radiosity_solve::in_threads;
-use radiosity_solve::view_factors::ViewFactors;
+use radiosity_solve::view_factors::{Options, ViewFactors};
 use radiosity_work::digits::significant;
 use radiosity_work::ranks::Ranks;
-use radiosity_work::{Observer, Progress as Event, Work};
+use radiosity_work::{Observer, Progress as Event, Stage, Work};
 
 use crate::{
     destination::Destination, error::CliError, format, options::SceneArg, progress::Progress,
@@ -100,12 +100,13 @@ impl Format {
 pub(crate) fn run(args: &ViewFactorsArgs, given: &TypedOptions, ranks: &Ranks) -> Result<(), CliError> {
     let start = Instant::now();
     let format = args.format()?;
+    let options = args.transfers.request.factors()?;
     let scene = args.scene.request().load(ranks)?;
     let ranks = &args.transfers.checkpoint.recording(given, &scene, &[], ranks)?;
     let pairs = args.pairs.iter().map(|pair| named_pair(&scene, pair)).collect::<Result<Vec<_>, _>>()?;
     let output = args.output.as_deref().map(|path| args.scene.reserve(path, ranks));
     let destination = Destination::of(output.transpose()?, ranks);
-    let progress = Progress::new(args.transfers.quiet, ranks);
+    let progress = Progress::new(args.transfers.quiet, start, ranks);
     let chosen: BTreeSet<[usize; 2]> = pairs.iter().copied().collect();
     let wanted = |i, j| chosen.is_empty() || chosen.contains(&[i, j]);
     let show = |event| match event {
@@ -114,17 +115,19 @@ pub(crate) fn run(args: &ViewFactorsArgs, given: &TypedOptions, ranks: &Ranks) -
             progress.announce(what, seconds);
         }
         Event::Done { done, of, .. } => progress.show("pairs", done, of),
-        Event::Rays { .. } => progress.report(event),
+        Event::Rays { .. } | Event::Began { .. } | Event::Ended { .. } => progress.report(event),
         _ => {}
     };
     let work = Work::among(ranks).observed_by(&show);
-    let factors = ViewFactors::of_pairs(&scene, &wanted, &args.transfers.request.factors(), &work)?;
-    let told = args.checked(&scene, &factors, &pairs, &work)?;
+    let factors = ViewFactors::of_pairs(&scene, &wanted, &options, &work)?;
+    let told = args.checked(&scene, &factors, &options, &pairs, &work)?;
+    progress.begin_output();
     let form = Form { format, sparse: args.sparse, pairs };
     destination.write(|writer| form.write(&scene, &factors, &told, writer))?;
-    drop(progress);
-    let first = costs(&scene, &factors, start.elapsed().as_secs_f64());
-    let findings = args.findings(&scene, &factors, &told, ranks)?;
+    progress.clear();
+    let findings = work.during(Stage::Checks, || args.findings(&scene, &factors, &told, ranks))?;
+    let mut first = costs(&scene, &factors, start.elapsed().as_secs_f64());
+    first.push(progress.stages());
     args.transfers.tell(first, &scene, findings, &args.output, ranks);
     args.judge(&told)
 }
@@ -245,22 +248,23 @@ impl ViewFactorsArgs {
         &self,
         scene: &Scene,
         factors: &ViewFactors,
+        options: &Options,
         pairs: &[[usize; 2]],
         work: &Work<'_>,
     ) -> Result<CheckedFactors, CliError> {
-        let TransferArgs { request, check, .. } = &self.transfers;
+        let check = &self.transfers.check;
         let chosen: BTreeSet<[usize; 2]> = pairs.iter().copied().collect();
         let mut from: Vec<usize> = match chosen.is_empty() {
             true => (0..factors.names.len()).collect(),
             false => chosen.iter().map(|pair| pair[0]).collect(),
         };
         from.dedup();
-        let options = request.factors();
         let wanted = |i, j| chosen.is_empty() || chosen.contains(&[i, j]);
-        let Some(effort) = check.of_factors(factors, &options, from.len(), scene) else {
+        let Some(effort) = check.of_factors(factors, options, from.len(), scene) else {
             return Ok(CheckedFactors::unjudged(factors));
         };
         let judged = || CheckedFactors::judged(scene, factors, &from, &wanted, &effort, work);
+        let judged = || work.during(Stage::Referee, judged);
         Ok(in_threads(work.ranks.threads(options.threads), judged)?)
     }
 
@@ -289,6 +293,8 @@ impl ViewFactorsArgs {
         if let Some(finding) = told.checked.as_ref().and_then(Checked::finding) {
             lines.push(format!("warning: walks find the factors off by more than these tell: {finding}"));
         }
+        let eps = self.transfers.request.accuracy().eps;
+        lines.extend(missed_by_rays(factors, eps).map(|missed| format!("warning: {missed}")));
         if let Some(worst) = factors.worst_error.filter(WorstError::is_real) {
             let names = worst.pair.map(|surface| &factors.names[surface][..]);
             lines.push(format!("warning: {}", missed(&worst, names)));

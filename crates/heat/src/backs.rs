@@ -33,13 +33,18 @@ const TOUCHES: f64 = 1e-6;
 
 /// The scene with the backs that have a temperature or are reached by heat, behind all its surfaces.
 pub(super) fn with_backs(scene: &Scene) -> Scene {
+    scene.with_backs(&reached_backs(scene))
+}
+
+/// The surfaces of one side whose backs have a temperature or are reached by heat.
+pub(super) fn reached_backs(scene: &Scene) -> Vec<usize> {
     let one_sided = scene.one_sided();
     let is_reached = reached(scene, &one_sided);
     let is_wanted = |surface: &usize| match scene.surfaces[*surface].back_condition() {
         BackCondition::Adiabatic => is_reached[*surface],
         BackCondition::Front | BackCondition::Temperature(_) => true,
     };
-    scene.with_backs(&one_sided.into_iter().filter(is_wanted).collect::<Vec<_>>())
+    one_sided.into_iter().filter(is_wanted).collect()
 }
 
 /// A side that sends and receives heat.

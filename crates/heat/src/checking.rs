@@ -2,12 +2,16 @@
 //!
 //! Every error becomes κ times what it was, and that of a surface that is off by more than chance at least the
 //! difference that was found ([`Checked`](radiosity_audit::Checked)), d of a flow, d/(4 σ T³ A) of a temperature.
+//!
+//! Balances of kept transfers share a check: the errors of each surface grow by the factors by which they grew where it
+//! was made.
 
 use radiosity_audit::{Effort, HeatFault, evenly};
 use radiosity_scene::Scene;
 use radiosity_work::Work;
 
 use super::Heat;
+use super::figures::ErrorGrowth;
 use super::judging::JudgedHeat;
 
 impl Heat {
@@ -40,9 +44,18 @@ impl Heat {
         if unread.is_empty() { Ok(()) } else { Err(HeatFault::NoLevel { surfaces: unread }) }
     }
 
+    /// Makes the errors of a balance larger as a check has made those of another one of the same surfaces.
+    pub fn check_like(&mut self, checked: &Self) {
+        for (own, growth) in self.surfaces.iter_mut().zip(&checked.growth) {
+            own.temperature_error *= growth.temperature;
+            own.flow_error *= growth.flow;
+        }
+    }
+
     /// Takes over what was found.
     fn take(&mut self, run: JudgedHeat) {
         let checked = run.checked;
+        let before = self.surfaces.clone();
         for own in self.surfaces.iter_mut().filter(|own| own.has_level()) {
             own.flow_error = checked.told(own.flow_error, None);
             own.temperature_error = checked.told(own.temperature_error, None);
@@ -50,6 +63,8 @@ impl Heat {
         for (reading, looked) in run.surfaces.iter().enumerate() {
             self.take_difference(looked.surface, checked.told(0.0, Some(reading)));
         }
+        let pairs = before.iter().zip(&self.surfaces);
+        self.growth = pairs.map(|(before, after)| ErrorGrowth::between(before, after)).collect();
         self.checked = Some(checked);
     }
 

@@ -58,8 +58,8 @@ pub(super) struct Cut {
     pub(super) order: usize,
     /// Whether all surfaces are cut.
     pub(super) is_whole: bool,
-    /// The factor of differences that makes them errors: c, and what surfaces that are left whole add.
-    pub(super) factor: f64,
+    /// The surfaces that are cut.
+    chosen: Vec<usize>,
 }
 
 impl Cut {
@@ -72,11 +72,21 @@ impl Cut {
         if chosen.is_empty() {
             return None;
         }
-        let part: f64 = chosen.iter().map(|surface| varied[*surface]).sum();
-        let all: f64 = varied.iter().sum();
-        let left_out = if part > 0.0 { all / part } else { 1.0 };
         let is_whole = chosen.len() == varied.len();
-        Some(Self { mesh: refined(elements, &chosen), order, is_whole, factor: CONVERGENCE * left_out })
+        Some(Self { mesh: refined(elements, &chosen), order, is_whole, chosen })
+    }
+
+    /// The factor that makes errors of the differences from the balance of an `outcome`: c, and what surfaces that are
+    /// left whole add; None where light varies on these alone.
+    pub(super) fn factor(&self, roles: &Roles, outcome: &Outcome) -> Option<f64> {
+        let varied = variations(outcome.solution.elements(), roles, outcome);
+        let part: f64 = self.chosen.iter().map(|surface| varied[*surface]).sum();
+        let all: f64 = varied.iter().sum();
+        match (part > 0.0, all > 0.0) {
+            (true, _) => Some(CONVERGENCE * all / part),
+            (false, true) => None,
+            (false, false) => Some(CONVERGENCE),
+        }
     }
 }
 

@@ -38,6 +38,24 @@ pub struct SurfaceHeat {
     pub flow_error: f64,
 }
 
+/// Factors by which the errors of a surface became larger.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct ErrorGrowth {
+    pub(super) temperature: f64,
+    pub(super) flow: f64,
+}
+
+impl ErrorGrowth {
+    /// The growth from one figure of a surface to another.
+    pub(super) fn between(before: &SurfaceHeat, after: &SurfaceHeat) -> Self {
+        let factor = |before: f64, after: f64| if before > 0.0 { after / before } else { 1.0 };
+        Self {
+            temperature: factor(before.temperature_error, after.temperature_error),
+            flow: factor(before.flow_error, after.flow_error),
+        }
+    }
+}
+
 /// Power (W) that arrives on each surface, for the coefficients h of the irradiance.
 pub(super) fn received(elements: &Elements, irradiance: &[f64]) -> Vec<f64> {
     let mut received = vec![0.0; elements.surfaces()];

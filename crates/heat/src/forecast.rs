@@ -42,11 +42,16 @@ impl<'a> Forecast<'a> {
         if needed <= allowed { Ok(()) } else { Err(HeatError::Conductances { surfaces, needed, allowed }) }
     }
 
-    /// Whether there is memory for the balance of the scene on elements that are `cut` once more.
-    pub(super) fn fits(&self, cut: &Cut) -> bool {
+    /// Bytes of the transfers between the elements of the scene, at the most.
+    pub(super) fn of_first(&self) -> u64 {
+        Model::peak_memory(&all_emit(self.scene, self.roles), self.options, self.ranks)
+    }
+
+    /// Whether there is memory for the balance of the scene on elements that are `cut` once more, beside so many bytes.
+    pub(super) fn fits(&self, cut: &Cut, beside: u64) -> bool {
         let options = Options { order: cut.order, ..*self.options };
         let lit = || all_emit(self.scene, self.roles);
-        let needed = || Model::peak_memory_on(&cut.mesh, &lit(), &options, self.ranks);
+        let needed = || beside + Model::peak_memory_on(&cut.mesh, &lit(), &options, self.ranks);
         self.options.memory.is_none_or(|allowed| needed() <= allowed)
     }
 }

@@ -20,11 +20,13 @@
 //! What leaves the scene goes to surroundings at 0 K. Conduction, convection and heat that is stored have no
 //! part in it; where they are known, they are a `heat_flux`.
 //!
-//! In order: [`HeatError`], `black_body`, `backs` (which of them heat reaches), `roles` (what is known of each
-//! surface), `coats` (scenes with the coatings of heat), `closure` (rows that sum to 1), `levels`, `figures` (of each
-//! surface), `field` (σ T⁴ over surfaces), `shields`, `conductances`, `cut` (elements that tell the error), `forecast`,
-//! [`Heat`], the balance, [`judging`], what a referee says of it, `checking`, its errors made true by that, and
-//! [`remarks`] on both.
+//! In order: [`HeatError`], `black_body`, `backs` (which of them heat reaches), `roles` (what is known of
+//! each surface), `coats` (scenes with the coatings of heat), `closure` (rows that sum to 1), `levels`,
+//! `figures` (of each surface), `field` (σ T⁴ over surfaces), `shields`, `conductances`, `cut` (elements that
+//! tell the error), `forecast`, `case` (a scene, its roles and options), `transfers` between its elements and
+//! the `finer` ones of a cut, [`Heat`], the balance, [`HeatModel`], transfers that are kept for many of them,
+//! [`judging`], what a referee says of one, `checking`, its errors made true by that, and [`remarks`] on
+//! both.
 //!
 //! Imports `core`, `geom`, `solvers`, `work`, `fit`, `scene`, `audit`, `visibility`, `elements`, `kernel` and `solve`.
 
@@ -41,6 +43,10 @@ mod shields;
 mod conductances;
 mod cut;
 mod forecast;
+mod case;
+mod transfers;
+mod finer;
+mod heat_model;
 pub mod judging;
 pub mod remarks;
 mod checking;
@@ -48,19 +54,21 @@ mod checking;
 use radiosity_audit::Checked;
 use radiosity_scene::{Scene, SceneSurface};
 use radiosity_solve::solution::Solution;
-use radiosity_solve::{Direct, Model, Options, Outcome, Transport};
-use radiosity_work::{Progress, Stage, Work};
+use radiosity_solve::{Options, Outcome, Transport};
+use radiosity_work::{Stage, Work};
 
+use backs::with_backs;
 pub use black_body::{STEFAN_BOLTZMANN, kelvin};
-use closure::{Closure, close};
-use coats::{all_emit, at_levels, radiant};
+use case::Case;
 pub use conductances::Conductances;
-use cut::{COARSER, Cut};
+use cut::Cut;
 pub use error::HeatError;
 pub use figures::SurfaceHeat;
-use figures::{add_errors, add_errors_of_blocks, difference, figures};
-use forecast::Forecast;
-use roles::{Roles, named};
+use figures::{ErrorGrowth, add_errors, add_errors_of_blocks, difference, figures};
+use finer::Finer;
+pub use heat_model::HeatModel;
+use roles::named;
+use transfers::Transfers;
 
 /// Largest share of what surfaces exchange that may leave a scene that counts as closed, however large the errors are.
 /// Chosen.
@@ -68,9 +76,6 @@ const CLOSED: f64 = 1e-3;
 
 /// Rounding of the sum of flows over what surfaces exchange: 2⁻⁵² times some thousand terms.
 const ROUNDING: f64 = 1e-12;
-
-/// Accuracy of transfers beyond which none is asked for. Chosen: a coarser one tells nothing.
-const LARGEST_EPS: f64 = 0.1;
 
 /// The balance of heat of a scene.
 #[derive(Debug)]
@@ -85,6 +90,8 @@ pub struct Heat {
     /// By how much sums of view factors missed 1 before they were made to be 1; None where the scene is not
     /// known to be closed.
     pub moved: Option<f64>,
+    /// Whether all exchanges are exact.
+    is_exact: bool,
     /// Whether elements that are cut once more told its errors; without memory or time for them these are those of
     /// the transfers alone.
     pub is_cut: bool,
@@ -96,6 +103,8 @@ pub struct Heat {
     pub outcome: Outcome,
     /// The other side of each surface that is a side of a sheet.
     other_sides: Vec<Option<usize>>,
+    /// Factors by which the check of a referee made the errors of each surface larger; none before.
+    growth: Vec<ErrorGrowth>,
 }
 
 /// Options of a balance of heat.
@@ -136,72 +145,73 @@ impl Heat {
     /// Surfaces without a temperature, a flux or an emissivity; parts of the scene whose level no temperature
     /// sets; more heat drawn than arrives; too little memory; what [`radiosity_solve::solve()`] refuses.
     pub fn of(scene: &Scene, wanted: &HeatOptions, work: &Work<'_>) -> Result<Self, HeatError> {
-        let scene = &wanted.options.in_threads(work.ranks, || backs::with_backs(scene))?;
-        let mut roles = Roles::of(scene)?;
-        let tolerance = wanted.options.tolerance.max(roles.rounding(scene));
-        let options = Options { direct: Direct::Projected, tolerance, ..wanted.options };
-        if wanted.conductances {
-            Forecast::of(scene, &roles, &options, work.ranks).require_conductances()?;
-        }
-        let (surfaces, outcome, closure, conductances, cut) = {
-            let model = Model::assemble(&all_emit(scene, &roles), &options, work)?;
-            levels::settle(scene, &mut roles, &model, &options)?;
-            let Solved { model, mut outcome, closure } = solved(scene, &roles, model, &options, work)?;
-            let surfaces = figures(scene, &roles, &outcome)?;
-            // What rules or rays missed does not matter where sums tell it.
-            outcome.worst_error = outcome.worst_error.filter(|_| !closure.is_exact);
-            let conductances =
-                || options.in_threads(work.ranks, || Conductances::of(scene, &roles, &model, work))?;
-            let conductances = wanted.conductances.then(conductances).transpose()?;
-            let forecast = Forecast::of(scene, &roles, &options, work.ranks);
-            let cut = Cut::of(&roles, &model, &outcome).filter(|cut| forecast.fits(cut));
-            (surfaces, outcome, closure, conductances, cut)
-        };
-        let mut heat = Self {
-            lost: surfaces.iter().map(|surface| surface.flow).sum(),
-            without_level: named(scene, |surface, _| !surfaces[surface].has_level()),
-            surfaces,
-            moved: closure.moved,
-            is_cut: cut.is_some(),
-            checked: None,
-            conductances,
-            outcome,
-            other_sides: scene.surfaces.iter().map(|surface| surface.other_side).collect(),
-        };
-        let compared = |progress| work.report(of_comparison(progress));
-        let reached = options.eps.max(heat.outcome.accuracy_reached);
-        let reached = if closure.is_exact { options.tolerance } else { reached };
-        match cut {
-            Some(cut) => {
-                heat.add_errors_by(&cut, reached, scene, &roles, &options, &work.observed_by(&compared))?;
+        let find = || work.during(Stage::Backs, || with_backs(scene));
+        let scene = wanted.options.in_threads(work.ranks, find)?;
+        let mut case = Case::of(scene, &wanted.options)?;
+        let mut conductances = None;
+        let (mut heat, cut) = {
+            let mut transfers = Transfers::first(&case, wanted.conductances, work)?;
+            let solve = || Self::balanced(&mut case, &mut transfers, work);
+            let heat = work.during(Stage::Solve, solve)?;
+            if wanted.conductances {
+                conductances = Some(transfers.conductances(&case, work)?);
             }
-            None => add_errors_of_blocks(&mut heat.surfaces, reached),
-        }
+            let cut = Cut::of(&case.roles, transfers.model(), &heat.outcome);
+            (heat, cut.filter(|cut| case.forecast(work.ranks).fits(cut, 0)))
+        };
+        heat.conductances = conductances;
+        let mut finer = cut.map(|cut| Finer::of(cut, &case, work)).transpose()?;
+        heat.add_errors(finer.as_mut(), &case, work)?;
         Ok(heat)
     }
 
-    /// Adds the errors that elements of a cut tell. Blocks err by no more than the accuracy that they have `reached`,
-    /// and where they are made anew for all elements, by hardly more than both balances differ by.
-    fn add_errors_by(
+    /// The balance of a case by these transfers, without errors. Surfaces whose level nothing sets become idle.
+    fn balanced(case: &mut Case, transfers: &mut Transfers, work: &Work<'_>) -> Result<Self, HeatError> {
+        transfers.settle(case)?;
+        let mut outcome = transfers.light(case, work)?;
+        let Case { scene, roles, .. } = case;
+        let surfaces = figures(scene, roles, &outcome)?;
+        // What rules or rays missed does not matter where sums tell it.
+        outcome.worst_error = outcome.worst_error.filter(|_| !transfers.closure().is_exact);
+        Ok(Self {
+            lost: surfaces.iter().map(|surface| surface.flow).sum(),
+            without_level: named(scene, |surface, _| !surfaces[surface].has_level()),
+            surfaces,
+            moved: transfers.closure().moved,
+            is_exact: transfers.closure().is_exact,
+            is_cut: false,
+            checked: None,
+            conductances: None,
+            outcome,
+            other_sides: scene.surfaces.iter().map(|surface| surface.other_side).collect(),
+            growth: Vec::new(),
+        })
+    }
+
+    /// Adds the errors that elements of a cut tell, if there is one. Blocks err by no more than the accuracy that they
+    /// have reached, and where they are made anew for all elements, by hardly more than both balances differ by.
+    fn add_errors(
         &mut self,
-        cut: &Cut,
-        reached: f64,
-        scene: &Scene,
-        roles: &Roles,
-        options: &Options,
+        finer: Option<&mut Finer>,
+        case: &Case,
         work: &Work<'_>,
     ) -> Result<(), HeatError> {
-        let [eps, shadow_eps] = [options.eps, options.shadow_eps].map(|own| (COARSER * own).min(LARGEST_EPS));
-        let options = Options { order: cut.order, eps, shadow_eps, ..*options };
-        let model = Model::assemble_on(&cut.mesh, &all_emit(scene, roles), &options, work)?;
-        let outcome = solved(scene, roles, model, &options, work)?.outcome;
-        let others = figures(scene, roles, &outcome)?;
+        let tolerance = case.options.tolerance;
+        let reached = case.options.eps.max(self.outcome.accuracy_reached);
+        let reached = if self.is_exact { tolerance } else { reached };
+        let finer = finer.and_then(|finer| Some((finer.factor(case, &self.outcome)?, finer)));
+        let Some((factor, finer)) = finer else {
+            add_errors_of_blocks(&mut self.surfaces, reached);
+            return Ok(());
+        };
+        self.is_cut = true;
+        let others = finer.figures(case, work)?;
         let by_rays = self.outcome.sampling.and_then(|sampling| sampling.error).unwrap_or(0.0);
-        let least = match cut.is_whole {
+        let least = match finer.is_whole() {
             true => reached.min(difference(&self.surfaces, &others)),
             false => reached,
         };
-        add_errors(&mut self.surfaces, &others, cut.factor, least.max(by_rays).max(options.tolerance));
+        add_errors(&mut self.surfaces, &others, factor, least.max(by_rays).max(tolerance));
         Ok(())
     }
 
@@ -231,41 +241,4 @@ impl Heat {
     pub fn levels(&self) -> Solution {
         field::levels(&self.outcome.solution, &self.surfaces)
     }
-}
-
-/// Progress of a solution that is made to estimate the error of another.
-fn of_comparison(progress: Progress) -> Progress {
-    let stage = Stage::Comparison;
-    match progress {
-        Progress::Done { stage: Stage::Blocks, done, of } => Progress::Done { stage, done, of },
-        Progress::Rays { done, of, .. } => Progress::Done { stage, done: done as usize, of: of as usize },
-        other => other,
-    }
-}
-
-/// The model of a scene and its light.
-struct Solved {
-    model: Model,
-    outcome: Outcome,
-    closure: Closure,
-}
-
-/// The `model` of a scene with rows that close, and its light with the shields at their levels.
-fn solved(
-    scene: &Scene,
-    roles: &Roles,
-    model: Model,
-    options: &Options,
-    work: &Work<'_>,
-) -> Result<Solved, HeatError> {
-    let (model, closure) = options.in_threads(work.ranks, || close(scene, model, options))?;
-    let radiant = radiant(scene, roles);
-    let outcome = model.solve(&radiant, work)?;
-    if roles.shields.is_empty() {
-        return Ok(Solved { model, outcome, closure });
-    }
-    let levels = shields::levels(roles, &outcome.solution);
-    let radiant = at_levels(radiant, roles, &levels);
-    let outcome = outcome.relight(&radiant).expect("each shield is a group");
-    Ok(Solved { model, outcome, closure })
 }

@@ -1,7 +1,9 @@
 //! Words for transfers that miss what was asked of them.
 
 use radiosity_kernel::WorstError;
+use radiosity_solve::view_factors::{MissedRows, ViewFactors};
 use radiosity_transport::FINEST_BY_RAYS;
+use radiosity_work::digits::significant;
 use radiosity_work::wording::{Wording, option, set, words};
 
 /// Accuracy that rays reach with fewer of them, over the error that they leave. Chosen: as that error is known.
@@ -34,4 +36,18 @@ pub fn missed(worst: &WorstError, [one, other]: [&str; 2]) -> Wording {
         worst.error
     );
     words(told) + cure
+}
+
+/// Words for rows of view factors in which rays leave a larger error than `eps` of the largest factor; none where they
+/// leave none.
+pub fn missed_by_rays(factors: &ViewFactors, eps: f64) -> Option<Wording> {
+    let MissedRows { count, surface, error } = factors.missed_by_rays(eps)?;
+    let [found, asked] = [error, eps].map(|part| significant(100.0 * part, 2));
+    let told = format!(
+        "rays leave errors of up to {found} % of the largest factor of a row, that of '{}', where {asked} % was asked for, \
+         which {count} of {} rows miss: send more with ",
+        factors.names[surface],
+        factors.names.len()
+    );
+    Some(words(told) + option("rays") + ", or take " + set("transport", "exact") + ", which takes its time")
 }

@@ -104,7 +104,7 @@ pub fn grid(reader: &Reader, cells: impl Into<CellCounts>, rates: Rates, work: &
     reader.expect(|| places.iter().map(|place| patches_of(reader, place)).sum());
     let (total, done) = (places.len(), AtomicUsize::new(0));
     let by = CellReader { reader, rates, count: total };
-    let all = work.ranks.map_even(PartName::Cells, total, AT_ONCE, |place| {
+    let read = |place: usize| {
         let CellPlace { surface, index, rect } = &places[place];
         let integrals = Integrals::over(&by, *surface, rect);
         work.report_done(Stage::Cells, done.fetch_add(1, Ordering::Relaxed) + 1, total);
@@ -114,7 +114,8 @@ pub fn grid(reader: &Reader, cells: impl Into<CellCounts>, rates: Rates, work: &
             .map(|pieces| clip_to_cell(shape, pieces, rect).iter().map(|part| polygon_area(part)).sum());
         let [u, v] = rect.center();
         integrals.cell(*surface, *index, shape.jet(u, v).position, area)
-    });
+    };
+    let all = work.during(Stage::Cells, || work.ranks.map_even(PartName::Cells, total, AT_ONCE, read));
     all.into_iter().filter(|cell| cell.area > 0.0).collect()
 }
 

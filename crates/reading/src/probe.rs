@@ -107,7 +107,7 @@ pub fn probe(
     middle: DVec3,
     work: &Work<'_>,
 ) -> Result<Vec<ProbeReading>, (usize, ProbeFault)> {
-    let found = probe_each(reader, probes, middle, work);
+    let found = work.during(Stage::Points, || probe_each(reader, probes, middle, work));
     found.into_iter().enumerate().map(|(number, found)| found.map_err(|fault| (number, fault))).collect()
 }
 

@@ -2,7 +2,7 @@
 
 mod warnings;
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use radiosity_audit::Checked;
 use radiosity_elements::Elements;
@@ -168,32 +168,21 @@ pub struct NamedJump {
     pub surfaces: [String; 2],
 }
 
-/// Wall time per stage, s.
-#[derive(Clone, Copy, Debug, Default, Serialize)]
+/// Wall time of the stages, s. They sum to the total but for what lies in none.
+#[derive(Clone, Debug, Default, Serialize)]
 pub struct Seconds {
-    /// Reading the scene.
-    pub load: f64,
-    /// Cutting it into elements.
-    pub elements: f64,
-    /// Blocks of G, visibility within them included.
-    pub blocks: f64,
-    /// Finding surfaces that can cast a shadow.
-    pub visibility: f64,
-    /// Direct light and its first bounce, where they are split off.
-    pub direct: f64,
-    /// The linear systems.
-    pub solve: f64,
-    /// Estimation of the error from gathered light, where an accuracy is wanted.
-    pub estimate: f64,
-    /// Pictures, grids and files.
-    pub output: f64,
+    /// The stages by their names: `load`, the reading of the scene; `visibility`, `elements`, `direct`, `blocks`
+    /// and `solve` of all solutions; `estimate` of a wanted accuracy; `tables` that readings share, and `points`,
+    /// `cells`, `picture` and `texels` that were read; `referee`, the check; `output`, what was made for files.
+    #[serde(flatten)]
+    pub stages: BTreeMap<&'static str, f64>,
     /// The whole run.
     pub total: f64,
 }
 
 impl Report {
-    /// The report of a scene that was solved with so many threads; the caller sets the times of loading and
-    /// output, the total, and the figures of planes.
+    /// The report of a scene that was solved with so many threads; the caller sets the times of its stages, and the
+    /// figures of planes.
     pub fn new(solved: &Solved, threads: usize) -> Self {
         let Solved { scene, options, outcome, achieved, .. } = solved;
         let elements = outcome.solution.elements();
@@ -217,7 +206,7 @@ impl Report {
             ranks: None,
             checkpoint: None,
             version: env!("CARGO_PKG_VERSION"),
-            seconds: seconds(outcome),
+            seconds: Seconds::default(),
             peak_bytes: peak_bytes(),
             transport: Transport::of(outcome),
             pairs: outcome.pairs,
@@ -296,17 +285,4 @@ impl Report {
 fn orders(elements: &Elements) -> [usize; 2] {
     let orders = || elements.list().iter().map(|element| element.basis.order());
     [orders().min().unwrap_or(0), orders().max().unwrap_or(0)]
-}
-
-fn seconds(outcome: &Outcome) -> Seconds {
-    let stages = outcome.seconds;
-    Seconds {
-        elements: stages.elements.as_secs_f64(),
-        blocks: stages.blocks.as_secs_f64(),
-        visibility: stages.visibility.as_secs_f64(),
-        direct: stages.direct.as_secs_f64(),
-        solve: stages.solve.as_secs_f64(),
-        estimate: stages.estimate.as_secs_f64(),
-        ..Seconds::default()
-    }
 }

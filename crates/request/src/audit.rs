@@ -9,8 +9,8 @@ use radiosity_solve::Options;
 use radiosity_solve::solved::Solved;
 use radiosity_solve::view_factors::{self, ViewFactors};
 use radiosity_visibility::Shadows;
-use radiosity_work::Work;
 use radiosity_work::wording::{Wording, option, set, words};
+use radiosity_work::{Stage, Work};
 use serde::Deserialize;
 
 use super::ranges::{Number, Readings, Seconds, Seed};
@@ -113,9 +113,11 @@ impl CheckRequest {
         if shadows == Shadows::Off {
             return Ok(());
         }
-        let (run, cost) = (heat.outcome.seconds_by_counts(), WalkCost::of_heat(scene));
-        let surfaces = heat.to_check(scene, Effort::readings(self.seconds(run), Self::READINGS, &cost));
-        heat.check(scene, &surfaces, &self.effort(run, surfaces.len(), &cost), work)
+        work.during(Stage::Referee, || {
+            let (run, cost) = (heat.outcome.seconds_by_counts(), WalkCost::of_heat(scene));
+            let surfaces = heat.to_check(scene, Effort::readings(self.seconds(run), Self::READINGS, &cost));
+            heat.check(scene, &surfaces, &self.effort(run, surfaces.len(), &cost), work)
+        })
     }
 
     /// Walks for each of so many readings, of this cost, beside a run of about so many seconds.

@@ -116,11 +116,7 @@ fn check_collocation(method: &MethodRequest) -> Result<(), Refusal> {
 
 /// Refuses rays together with the methods of 1993, which know none.
 fn check_rays(method: &MethodRequest) -> Result<(), Refusal> {
-    let rays = match (method.transport, method.rays) {
-        (Some(Transport::Sampled), _) => set("transport", "sampled"),
-        (_, Some(_)) => option("rays"),
-        _ => return Ok(()),
-    };
+    let Some(rays) = asked_rays(method.transport, method.rays.is_some()) else { return Ok(()) };
     let others = [
         method.kernel.unwrap_or_default().rules().map(|_| option("kernel")),
         (method.shadows == Some(LightShadows::Mask)).then(|| set("shadows", "mask")),
@@ -128,6 +124,14 @@ fn check_rays(method: &MethodRequest) -> Result<(), Refusal> {
         (method.transport == Some(Transport::Exact)).then(|| set("transport", "exact")),
     ];
     refuse(rays, others)
+}
+
+/// The option that asks for rays, if one does: a transport, or their number.
+pub(super) fn asked_rays(transport: Option<Transport>, has_number: bool) -> Option<Wording> {
+    match transport {
+        Some(Transport::Sampled) => Some(set("transport", "sampled")),
+        _ => has_number.then(|| option("rays")),
+    }
 }
 
 /// Refuses polynomials of a degree in each coordinate for the rules of 1993, which know a total degree.
@@ -320,7 +324,10 @@ fn others(method: &MethodRequest) -> [Option<Wording>; 8] {
 }
 
 /// Refuses `what` together with the first of the `others` that is typed.
-fn refuse(what: Wording, others: impl IntoIterator<Item = Option<Wording>>) -> Result<(), Refusal> {
+pub(super) fn refuse(
+    what: Wording,
+    others: impl IntoIterator<Item = Option<Wording>>,
+) -> Result<(), Refusal> {
     match others.into_iter().flatten().next() {
         Some(other) => Err(Refusal::new(what + " does not go with " + other, "leave one of them out")),
         None => Ok(()),

@@ -6,7 +6,7 @@
 //!
 //! In order: [`Refusal`]; [`ranges`] (of numbers), `modes` (names of kernels, shadows, solvers), [`memory`]
 //! and [`aim`] (of an accuracy); [`MethodRequest`] and `conflicts` (how light is computed), [`ReadRequest`]
-//! (how it is read), [`AuditRequest`] (how it is judged), [`TransferRequest`] and [`HeatRequest`],
+//! (how it is read), [`AuditRequest`] (how it is judged), [`TransferRequest`] and [`HeatRequest`], [`HeatSweep`],
 //! [`SceneRequest`] (which scene), [`view`] (from where), [`picture`] and [`cells`] (what results need of memory).
 //!
 //! Imports `geom`, `solvers`, `work`, `photometry`, `formats`, `scene`, `language`, `audit`, `visibility`,
@@ -22,6 +22,7 @@ mod conflicts;
 mod reading;
 mod audit;
 mod transfers;
+mod heat_sweep;
 mod scene;
 pub mod view;
 pub mod picture;
@@ -29,6 +30,7 @@ pub mod cells;
 
 pub use audit::{AuditRequest, CheckRequest};
 pub use conflicts::{KEPT, check_series, require_all_light};
+pub use heat_sweep::{HeatSweep, SweptHeat};
 pub use method::MethodRequest;
 pub use modes::{Kernel, LightShadows};
 pub use reading::{ReadRequest, check_aim};

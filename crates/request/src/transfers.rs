@@ -10,6 +10,7 @@ use radiosity_work::ranks::Ranks;
 use radiosity_work::wording::{option, set, words};
 use serde::Deserialize;
 
+use super::conflicts::{asked_rays, refuse};
 use super::memory;
 use super::method::MethodRequest;
 use super::modes::{self, LightShadows};
@@ -43,7 +44,7 @@ pub struct TransferRequest {
     #[cfg_attr(feature = "clap", arg(long, value_name = "MODE"))]
     pub shadows: Option<Shadows>,
 
-    /// How the pairs of elements are carried [default: exact]
+    /// How the pairs of elements are carried [default: auto]
     #[cfg_attr(feature = "clap", arg(long, value_name = "MODE"))]
     pub transport: Option<Transport>,
 
@@ -97,10 +98,32 @@ impl TransferRequest {
         self.threads.map_or(0, ranges::Threads::count)
     }
 
+    /// Refuses rays where rules carry all pairs, as they do unless told otherwise where that is `usual`.
+    fn check(&self, usual: Transport) -> Result<(), Refusal> {
+        let Some(rays) = asked_rays(self.transport, self.rays.is_some()) else { return Ok(()) };
+        let others = [
+            (self.transport == Some(Transport::Exact)).then(|| set("transport", "exact")),
+            (self.shadows == Some(Shadows::Off)).then(|| set("shadows", "off")),
+        ];
+        refuse(rays, others)?;
+        if self.transport.unwrap_or(usual) != Transport::Exact {
+            return Ok(());
+        }
+        let needed = || set("transport", "sampled");
+        Err(Refusal::new(
+            option("rays") + " does nothing without " + needed(),
+            words("add ") + needed() + ", or leave " + option("rays") + " out",
+        ))
+    }
+
     /// The options of view factors.
-    pub fn factors(&self) -> view_factors::Options {
+    ///
+    /// # Errors
+    /// Rays where rules carry all pairs.
+    pub fn factors(&self) -> Result<view_factors::Options, Refusal> {
         let usual = view_factors::Options::default();
-        view_factors::Options {
+        self.check(usual.transport)?;
+        Ok(view_factors::Options {
             subdivide: self.subdivide.unwrap_or_default().0,
             accuracy: self.accuracy(),
             shadows: self.shadows.unwrap_or_default(),
@@ -108,7 +131,7 @@ impl TransferRequest {
             rays: self.rays.map(u64::from),
             memory: self.memory.map(|Bytes(bytes)| bytes),
             threads: self.threads(),
-        }
+        })
     }
 }
 
@@ -154,8 +177,17 @@ impl HeatRequest {
 
     /// The library's options of a balance by these transfers on these ranks, and whether `conductances` are
     /// computed.
-    pub fn options(&self, transfers: &TransferRequest, conductances: bool, ranks: &Ranks) -> HeatOptions {
+    ///
+    /// # Errors
+    /// Rays where rules carry all pairs.
+    pub fn options(
+        &self,
+        transfers: &TransferRequest,
+        conductances: bool,
+        ranks: &Ranks,
+    ) -> Result<HeatOptions, Refusal> {
         let usual = HeatOptions::default().options;
+        transfers.check(usual.transport)?;
         let Accuracy { eps, shadow_eps } = transfers.accuracy_or(usual.eps);
         let options = Options {
             order: self.order(),
@@ -170,6 +202,6 @@ impl HeatRequest {
             threads: transfers.threads(),
             ..usual
         };
-        HeatOptions { options, conductances }
+        Ok(HeatOptions { options, conductances })
     }
 }

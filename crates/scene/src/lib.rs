@@ -7,8 +7,8 @@
 //!
 //! In order: faults with their causes, cures and places; patterns, materials, luminaires, skies; poses, paths and
 //! animations; surfaces as drafts and as fitted; the [`Source`] that a scene was read from; the builder; what
-//! is made of a scene: other factors (`group_factors`), other materials (`with_material`), another moment
-//! (`still_scene`, `frame_scenes`).
+//! is made of a scene: other factors (`group_factors`), other materials (`with_material`), other heat (`heat_setting`),
+//! another moment (`still_scene`, `frame_scenes`).
 //!
 //! Imports `core`, `geom`, `work`, `fit` and `photometry`.
 
@@ -57,6 +57,7 @@ pub mod surfaces;
 mod builder;
 mod group_factors;
 mod with_material;
+mod heat_setting;
 mod still_scene;
 mod frame_scenes;
 pub mod backs;
@@ -75,6 +76,7 @@ pub use fault::{Fault, FaultKind};
 pub use fitted::{Fitted, LiesOn};
 pub use frame_scenes::FrameScenes;
 pub use glass::Glass;
+pub use heat_setting::HeatSetting;
 pub use imported::Imported;
 pub use light_group::LightGroup;
 pub use luminaire::{Luminaire, Strength};

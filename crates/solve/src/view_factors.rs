@@ -42,6 +42,7 @@ use radiosity_transport::{Demand, FactorEnds};
 use radiosity_visibility::Visibility;
 use radiosity_work::{Progress, Stage, Work};
 
+use crate::driver::cost::{seconds_of_rays, seconds_of_samples};
 use crate::driver::memory_estimate::MemoryEstimate;
 use crate::driver::{Failure, MemoryReduction, TransportChoice, in_threads};
 use by_rays::{Carried, FactorRays};
@@ -56,10 +57,6 @@ const EXPLAINED: f64 = 3.0;
 /// Part of what is asked that rules miss. Measured: at 1e-3 less on most of 45 closed forms, a
 /// third on a paraboloid.
 const REACHED: f64 = 0.1;
-
-/// Time of a kernel sample and of a shadow ray (s). Measured: as ranks share their work by.
-const SAMPLE: f64 = 2e-8;
-const RAY: f64 = 4e-7;
 
 /// The view factors of a scene. Only pairs that see each other take memory.
 #[derive(Debug)]
@@ -92,6 +89,17 @@ pub struct ViewFactors {
     pub elapsed: Duration,
 }
 
+/// Rows of view factors in which rays leave a larger error than was asked for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MissedRows {
+    /// Number of these rows.
+    pub count: usize,
+    /// The surface whose row is the worst.
+    pub surface: usize,
+    /// The error there, over the largest factor.
+    pub error: f64,
+}
+
 impl ViewFactors {
     /// Computes the factors of all pairs of surfaces.
     ///
@@ -117,7 +125,8 @@ impl ViewFactors {
         let Constants { elements, blocks, choice, noise, exact_pairs } = found;
         let areas = areas(scene, &elements);
         let is_wanted = |i: usize, j: usize| wanted(i, j) || wanted(j, i);
-        let exchanges = exchanges(&elements, &blocks, areas.len(), &is_wanted);
+        let add_up = || exchanges(&elements, &blocks, areas.len(), &is_wanted);
+        let exchanges = work.during(Stage::Blocks, add_up);
         let is_whole = |i: usize| (0..areas.len()).all(|j| is_wanted(i, j));
         let known = row_errors(&elements, &blocks, areas.len());
         let by_rays = noise.as_ref().map(|noise| noise.errors(&areas));
@@ -175,18 +184,32 @@ impl ViewFactors {
 
     /// The error of each row relative to its largest factor, ascending; of rows without one nothing.
     pub fn relative_errors(&self) -> Vec<f64> {
-        let relative = |(i, row): (usize, &Vec<(u32, f64)>)| {
-            let largest = row.iter().map(|(_, exchange)| *exchange).fold(0.0, f64::max) / self.areas[i];
-            (largest > 0.0).then(|| self.errors[i] / largest)
-        };
-        let mut errors: Vec<f64> = self.exchanges.iter().enumerate().filter_map(relative).collect();
+        let mut errors: Vec<f64> = (0..self.errors.len()).filter_map(|i| self.relative_error(i)).collect();
         errors.sort_by(f64::total_cmp);
         errors
     }
 
+    /// The error of a row relative to its largest factor; None of a row without one.
+    fn relative_error(&self, i: usize) -> Option<f64> {
+        let exchanges = self.exchanges[i].iter().map(|(_, exchange)| *exchange);
+        let largest = exchanges.fold(0.0, f64::max) / self.areas[i];
+        (largest > 0.0).then(|| self.errors[i] / largest)
+    }
+
+    /// The rows in which rays leave a larger error than `eps` of the largest factor; None where they leave none.
+    pub fn missed_by_rays(&self, eps: f64) -> Option<MissedRows> {
+        if !self.choice.sampled {
+            return None;
+        }
+        let rows = (0..self.errors.len()).filter_map(|i| Some((i, self.relative_error(i)?)));
+        let missed: Vec<(usize, f64)> = rows.filter(|(_, error)| *error > eps).collect();
+        let (surface, error) = missed.iter().copied().max_by(|a, b| a.1.total_cmp(&b.1))?;
+        Some(MissedRows { count: missed.len(), surface, error })
+    }
+
     /// Time that such work takes (s), by its counts.
     pub fn forecast(&self) -> f64 {
-        SAMPLE * self.samples as f64 + RAY * self.rays as f64
+        seconds_of_samples(self.samples as f64) + seconds_of_rays(self.rays as f64)
     }
 
     /// Whether closed forms carry all pairs, and nothing hides a part of one.
@@ -241,17 +264,22 @@ fn constants(
     let mut scene = scene.clone();
     scene.surfaces.iter_mut().for_each(|surface| surface.order = None);
     let accuracy = options.block_accuracy();
-    let visibility = Visibility::new(&scene, options.shadows, accuracy.shadow_eps);
     let wanted = |i: usize, j: usize| wanted(i, j) || wanted(j, i);
-    let auto = || Subdivide::Auto { occluded: visibility.any_shadow() };
-    let how = constant_on(options.subdivide.map_or_else(auto, Subdivide::Uniform));
-    let Plan { choice, rays, seconds } = Plan::of(&scene, &how, &wanted, options, &visibility);
+    let decide = || {
+        let visibility = Visibility::new(&scene, options.shadows, accuracy.shadow_eps);
+        let auto = || Subdivide::Auto { occluded: visibility.any_shadow() };
+        let how = constant_on(options.subdivide.map_or_else(auto, Subdivide::Uniform));
+        let plan = Plan::of(&scene, &how, &wanted, options, &visibility);
+        (visibility, how, plan)
+    };
+    let (visibility, how, Plan { choice, rays, seconds }) = work.during(Stage::Visibility, decide);
     work.ranks.note_choice(&choice.sampled);
     work.report(Progress::Expected { stage: Stage::Blocks, seconds });
     if choice.sampled {
         // Rays find shadows wherever they are.
         scene.surfaces.iter_mut().for_each(|surface| surface.subdivide = None);
-        let elements = Elements::new(&scene, &constant_on(Subdivide::Uniform(1)))?;
+        let cut = || Elements::new(&scene, &constant_on(Subdivide::Uniform(1)));
+        let elements = work.during(Stage::Elements, cut)?;
         let (is_given, memory) = (options.rays.is_some(), options.memory);
         let sent = FactorRays {
             elements: &elements,
@@ -262,15 +290,15 @@ fn constants(
             memory,
             work,
         };
-        let Carried { blocks, noise, exact_pairs } = sent.carried()?;
+        let Carried { blocks, noise, exact_pairs } = work.during(Stage::Blocks, || sent.carried())?;
         return Ok(Constants { elements, blocks, choice, noise: Some(noise), exact_pairs });
     }
     require_memory(&scene, &how, options, work)?;
-    let elements = Elements::new(&scene, &how)?;
+    let elements = work.during(Stage::Elements, || Elements::new(&scene, &how))?;
     let surface = |element: usize| elements.list()[element].surface;
     let wanted = |a, b| wanted(surface(a), surface(b));
     let demand = Demand { whole: FactorEnds::Surface, ..Demand::all(&elements, &visibility, accuracy) };
-    let blocks = transport::assemble(demand.of(&wanted), None, work);
+    let blocks = work.during(Stage::Blocks, || transport::assemble(demand.of(&wanted), None, work));
     Ok(Constants { elements, blocks, choice, noise: None, exact_pairs: 0 })
 }
 
@@ -438,6 +466,37 @@ mod tests {
             let refused = ViewFactors::new(&scene, &options, &Work::alone());
             assert!(matches!(refused, Err(Failure::Memory { needed, allowed, .. }) if needed > allowed));
         }
+    }
+
+    #[test]
+    fn numbers_of_rays_that_are_told_to_fit_do() {
+        let scene = radiosity_language::builtin("cornell-box").expect("it is built in");
+        let by = |rays: u64, bytes: u64| {
+            let (transport, rays) = (Transport::Sampled, Some(rays));
+            let options = Options { transport, rays, memory: Some(bytes), threads: 2, ..Options::default() };
+            ViewFactors::new(&scene, &options, &Work::alone())
+        };
+        let mut offered = 0;
+        for bytes in (6_000..20_000).step_by(1_000) {
+            let Err(Failure::Memory { fits, .. }) = by(1_000_000, bytes) else { continue };
+            let Some(MemoryReduction::Rays(rays)) = fits.first() else { continue };
+            assert!(by(*rays, bytes).is_ok(), "{rays} rays in {bytes} bytes");
+            offered += 1;
+        }
+        assert!(offered > 2, "{offered}");
+    }
+
+    #[test]
+    fn rows_that_rays_miss_are_named_and_those_of_rules_are_not() {
+        let scene = radiosity_language::builtin("oven").expect("it is built in");
+        let sampled = by(Transport::Sampled, Some(20_000), &scene);
+        let largest = sampled.relative_errors()[6];
+        let MissedRows { count, surface, error } = sampled.missed_by_rays(1e-4).expect("they are few");
+        assert_eq!((count, error), (7, largest));
+        let row = sampled.row(surface).into_iter().fold(0.0, f64::max);
+        assert!((sampled.errors[surface] / row - largest).abs() < 1e-12);
+        assert_eq!(sampled.missed_by_rays(largest), None);
+        assert_eq!(by(Transport::Exact, None, &scene).missed_by_rays(1e-12), None);
     }
 
     /// Few rays: halves that agree, or that meet nothing, know less than they seem to.

@@ -1,7 +1,6 @@
 //! The progress of work.
 
 use std::fmt;
-use std::time::Duration;
 
 /// News of the progress of work.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -42,18 +41,25 @@ pub enum Progress {
         /// Relative residual after it.
         residual: f64,
     },
-    /// A stage of a solution is finished.
-    Finished {
-        /// The stage that is finished.
+    /// A stage begins, within the one that began last and has not ended. The thread that leads the work tells it.
+    Began {
+        /// The stage that begins.
         stage: Stage,
-        /// Wall time of the stage.
-        took: Duration,
+    },
+    /// The stage that began last ends.
+    Ended {
+        /// The stage that ends.
+        stage: Stage,
     },
 }
 
 /// A stage of work, and the things that are counted there.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Stage {
+    /// Reading of what the work is done on, and reserving of files; nothing is counted.
+    Load,
+    /// Finding out which backs heat reaches; nothing is counted.
+    Backs,
     /// Finding out which surfaces hide others; nothing is counted.
     Visibility,
     /// Cutting surfaces into elements; nothing is counted.
@@ -62,14 +68,20 @@ pub enum Stage {
     Direct,
     /// Pairs of elements whose blocks are integrated, or rounds in which links are refined.
     Blocks,
+    /// Making rows of transfers sum to 1; nothing is counted.
+    Closure,
     /// Linear systems, band by band.
     Solve,
+    /// Self-checks of a solution; nothing is counted.
+    Checks,
     /// Elements or sensors whose error is estimated.
     Estimate,
     /// Pairs of elements, or rays, of solutions that tell the error of another one.
     Comparison,
     /// Runs of a study, in thousandths of their work.
     Runs,
+    /// Tables of light that readings share; nothing is counted.
+    Tables,
     /// Points that are read.
     Points,
     /// Cells that are read.
@@ -84,6 +96,8 @@ pub enum Stage {
     Texels,
     /// Readings that the referee judges, in parts of their walks.
     Referee,
+    /// Writing of files, and what is made for them alone; nothing is counted.
+    Output,
 }
 
 /// Name of the stage, in few words.
@@ -97,14 +111,19 @@ impl Stage {
     /// Name of the stage, in few words.
     pub fn name(self) -> &'static str {
         match self {
+            Self::Load => "load",
+            Self::Backs => "backs",
             Self::Visibility => "visibility",
             Self::Elements => "elements",
             Self::Direct => "direct",
             Self::Blocks => "blocks",
+            Self::Closure => "closure",
             Self::Solve => "solve",
+            Self::Checks => "self-checks",
             Self::Estimate => "estimate",
             Self::Comparison => "for the error",
             Self::Runs => "runs",
+            Self::Tables => "tables",
             Self::Points => "points",
             Self::Cells => "cells",
             Self::Picture => "picture",
@@ -112,6 +131,7 @@ impl Stage {
             Self::GatheredPixels => "gathering",
             Self::Texels => "texels",
             Self::Referee => "referee",
+            Self::Output => "output",
         }
     }
 }

@@ -66,6 +66,14 @@ impl<'a> Work<'a> {
         self.report(Progress::Done { stage, done, of });
     }
 
+    /// Does `work` as a stage. The thread that leads the work calls it, so that stages lie within each other.
+    pub fn during<T>(&self, stage: Stage, work: impl FnOnce() -> T) -> T {
+        self.report(Progress::Began { stage });
+        let done = work();
+        self.report(Progress::Ended { stage });
+        done
+    }
+
     /// Whether rays are no longer wanted, on any rank.
     pub fn is_ended(&self) -> bool {
         self.any(|deadline| deadline.is_wished() || deadline.is_past())

@@ -23,7 +23,7 @@ use cpu_time::ProcessTime;
 use radiosity::Work;
 use radiosity::geom::Encounter;
 use radiosity::reading::pictures::pinhole::Pinhole;
-use radiosity::reading::pictures::render::render;
+use radiosity::reading::pictures::render::PictureRequest;
 use radiosity::reading::quantity::Quantity;
 use radiosity::reading::reader::ReadMode;
 use radiosity::scene::{Camera, Scene};
@@ -80,8 +80,16 @@ fn row(name: &str, asked: &Asked) -> String {
         light += start.elapsed().as_secs_f64();
         let start = ProcessTime::now();
         let visibility = options.visibility(&frame.scene);
-        let raster =
-            render(&frame.solution, &visibility, &camera, 3, asked.read, Quantity::Radiosity, &Work::alone());
+        let raster = PictureRequest {
+            solution: &frame.solution,
+            visibility: &visibility,
+            camera: &camera,
+            samples: 3,
+            read: asked.read,
+            shown: Quantity::Radiosity,
+            is_preview: false,
+        }
+        .picture(&Work::alone());
         picture += start.elapsed().as_secs_f64();
         let view = Pinhole::new(&camera);
         let pixels = 0..(width * height) as usize;

@@ -51,6 +51,16 @@ pub(super) const ROWS: &[Typed] = &[
         told: &["rays leave an error of about", "or ask for an --accuracy"],
     },
     Typed {
+        bad: "view-factors room.toml --transport sampled --rays 2000",
+        cured: "view-factors room.toml --transport sampled --rays 2000000",
+        told: &["rays leave errors of up to", "rows miss: send more with --rays"],
+    },
+    Typed {
+        bad: "view-factors room.toml --transport sampled --rays 2000",
+        cured: "view-factors room.toml --transport exact",
+        told: &["rays leave errors of up to", "or take --transport exact, which takes its time"],
+    },
+    Typed {
         bad: "solve room.toml --solver jacobi --max-iterations 1",
         cured: "solve room.toml --solver jacobi --max-iterations 99 --keep-partial",
         told: &["raise --tolerance or --max-iterations"],

@@ -90,6 +90,8 @@ pub(super) const UNTRIED: &[Untried] = &[
     Untried { words: "counts points, and", why: Why::Code },
     Untried { words: "leave one of them out; ", why: Why::Code },
     Untried { words: "masks are of direct light", why: Why::Code },
+    Untried { words: "were sent: give them more time with", why: Why::Machine },
+    Untried { words: "give rays more time with", why: Why::Machine },
     Untried { words: "heat is computed at one degree", why: Why::Code },
     Untried { words: "take a degree, such as", why: Why::Code },
     Untried { words: "unknown motion", why: Why::Code },

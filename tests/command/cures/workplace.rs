@@ -244,6 +244,7 @@ fn scenes() -> Vec<(&'static str, String)> {
         ("black.toml", coloured),
         ("cool.toml", COOL.to_owned()),
         ("cold.toml", with(COOL, "-9", "-9000")),
+        ("shared.toml", with(COOL, "name = \"lid\"", "name = \"a\"")),
         ("empty.toml", "bands = [\"grey\"]\n".to_owned()),
         ("grey-part.toml", "bands = [\"grey\"]\n".to_owned()),
         ("red.toml", "bands = [\"red\"]\n".to_owned()),

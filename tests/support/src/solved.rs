@@ -3,7 +3,7 @@
 use radiosity::elements::{Discretization, Elements};
 use radiosity::kernel::{Accuracy, Blocks};
 use radiosity::reading::files::solution_file::SolutionFile;
-use radiosity::solve::view_factors;
+use radiosity::solve::{Transport, view_factors};
 use radiosity::visibility::{Shadows, Visibility};
 use radiosity::{Options, Outcome, Scene, Solved, ViewFactors, Work, solve, transport};
 
@@ -35,7 +35,8 @@ pub fn blocks_of(elements: &Elements, visibility: &Visibility, accuracy: Accurac
 #[track_caller]
 pub fn factors_of(scene: &Scene, shadows: Shadows, eps: f64, shadow_eps: f64) -> ViewFactors {
     let accuracy = Accuracy { eps, shadow_eps };
-    let options = view_factors::Options { accuracy, shadows, threads: 2, ..view_factors::Options::default() };
+    let (transport, usual) = (Transport::Exact, view_factors::Options::default());
+    let options = view_factors::Options { accuracy, shadows, transport, threads: 2, ..usual };
     ViewFactors::new(scene, &options, &Work::alone()).unwrap_or_else(|error| panic!("{error}"))
 }
 

@@ -10,7 +10,7 @@ use radiosity::geom::{DVec3, Encounter};
 use radiosity::light::receiver_point::ReceiverPoint;
 use radiosity::reading::grid::{Cell, Rates, grid};
 use radiosity::reading::pictures::pinhole::Pinhole;
-use radiosity::reading::pictures::render::render;
+use radiosity::reading::pictures::render::PictureRequest;
 use radiosity::reading::quantity::Quantity;
 use radiosity::reading::reader::{ReadMode, Reader};
 use radiosity::scene::Camera;
@@ -203,7 +203,16 @@ fn cells_have_the_mean_of_probes_and_of_pixels() {
         ..Camera::new(DVec3::new(2.0, 2.0, 2.7), DVec3::new(2.0, 2.0, 0.0)).about(scene.middle)
     };
     let (read, shown) = (ReadMode::Gather, Quantity::Irradiance);
-    let raster = render(solution, &visibility, &camera, 1, read, shown, &Work::alone());
+    let raster = PictureRequest {
+        solution,
+        visibility: &visibility,
+        camera: &camera,
+        samples: 1,
+        read,
+        shown,
+        is_preview: false,
+    }
+    .picture(&Work::alone());
     let view = Pinhole::new(&camera);
     let is_floor = |x: DVec3, normal: DVec3| normal == DVec3::Z && (x + scene.middle).z.abs() < 1e-9;
     let cell_of = |x: DVec3| {

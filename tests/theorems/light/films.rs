@@ -5,7 +5,7 @@ use std::convert::Infallible;
 use radiosity::Work;
 use radiosity::reading::pictures::film::{Film, FilmError, FilmFrame};
 use radiosity::reading::pictures::raster::Raster;
-use radiosity::reading::pictures::render::render;
+use radiosity::reading::pictures::render::PictureRequest;
 use radiosity::reading::quantity::Quantity;
 use radiosity::reading::reader::ReadMode;
 use radiosity::scene::Scene;
@@ -110,7 +110,16 @@ fn film(scene: &Scene, frames: &[Frame], read: ReadMode, wanted: &[usize]) -> (V
 fn alone(scene: &Scene, frame: &Frame) -> Raster {
     let camera = scene.camera.clone().expect("a camera");
     let Frame { solution, visibility, .. } = frame;
-    render(solution, visibility, &camera, 2, ReadMode::Gather, Quantity::Radiosity, &Work::alone())
+    PictureRequest {
+        solution,
+        visibility,
+        camera: &camera,
+        samples: 2,
+        read: ReadMode::Gather,
+        shown: Quantity::Radiosity,
+        is_preview: false,
+    }
+    .picture(&Work::alone())
 }
 
 /// Differences of the pixels of two pictures, over the mean: the root mean square, and the largest.

@@ -1,7 +1,7 @@
 //! Scenes on which an earlier version was wrong, dark or slow.
 
 use radiosity::Work;
-use radiosity::reading::pictures::render::{ReadMode, render};
+use radiosity::reading::pictures::render::{PictureRequest, ReadMode};
 use radiosity::reading::quantity::Quantity;
 use radiosity::scene::Scene;
 use radiosity::solve::{Options, Outcome};
@@ -85,15 +85,16 @@ fn two_sided_panels_are_seen_from_both_sides() {
         let outcome = solved(&scene, 1e-3);
         let camera = scene.camera.clone().expect("there is a camera");
         let visibility = Visibility::open(&scene);
-        let image = render(
-            &outcome.solution,
-            &visibility,
-            &camera,
-            1,
-            ReadMode::Basis,
-            Quantity::Radiosity,
-            &Work::alone(),
-        );
+        let image = PictureRequest {
+            solution: &outcome.solution,
+            visibility: &visibility,
+            camera: &camera,
+            samples: 1,
+            read: ReadMode::Basis,
+            shown: Quantity::Radiosity,
+            is_preview: false,
+        }
+        .picture(&Work::alone());
         assert!(image.pixels().all(|pixel| *pixel == [1.0]), "the panel fills the picture");
     }
 }

@@ -7,7 +7,7 @@ use radiosity::geom::shapes::{Disk, FULL_TURN, Parallelogram};
 use radiosity::geom::{DVec3, Encounter};
 use radiosity::reading::pictures::pinhole::Pinhole;
 use radiosity::reading::pictures::raster::Raster;
-use radiosity::reading::pictures::render::render;
+use radiosity::reading::pictures::render::PictureRequest;
 use radiosity::reading::quantity::Quantity;
 use radiosity::reading::reader::{ReadMode, Reader};
 use radiosity::solve::solution::SurfacePlace;
@@ -59,8 +59,16 @@ fn taken(scene: Scene, samples: u32) -> Taken {
     let visibility = options.visibility(&scene);
     let camera = scene.camera.clone().expect("a camera");
     let read = ReadMode::Direct;
-    let raster =
-        render(&outcome.solution, &visibility, &camera, samples, read, Quantity::Irradiance, &Work::alone());
+    let raster = PictureRequest {
+        solution: &outcome.solution,
+        visibility: &visibility,
+        camera: &camera,
+        samples,
+        read,
+        shown: Quantity::Irradiance,
+        is_preview: false,
+    }
+    .picture(&Work::alone());
     Taken { scene, outcome, visibility, raster }
 }
 
@@ -271,8 +279,16 @@ sphere = { center = [1.5,1.5,1.0], radius = 0.2 }
     let Taken { outcome, visibility, scene, raster } = taken(scene, 1);
     let camera = scene.camera.clone().expect("a camera");
     let read = ReadMode::Basis;
-    let smooth =
-        render(&outcome.solution, &visibility, &camera, 1, read, Quantity::Irradiance, &Work::alone());
+    let smooth = PictureRequest {
+        solution: &outcome.solution,
+        visibility: &visibility,
+        camera: &camera,
+        samples: 1,
+        read,
+        shown: Quantity::Irradiance,
+        is_preview: false,
+    }
+    .picture(&Work::alone());
     let [direct, basis] = [&raster, &smooth].map(|own| own.pixels().map(|pixel| pixel[0]).sum::<f64>());
     assert!((direct - basis).abs() < 0.03 * basis, "{direct} {basis}");
 }

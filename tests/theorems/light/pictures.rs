@@ -6,7 +6,7 @@ use std::f64::consts::PI;
 use radiosity::Work;
 use radiosity::geom::{DVec3, Encounter, Ray};
 use radiosity::reading::pictures::pinhole::Pinhole;
-use radiosity::reading::pictures::render::render;
+use radiosity::reading::pictures::render::PictureRequest;
 use radiosity::reading::quantity::Quantity;
 use radiosity::reading::reader::{ReadMode, Reader};
 use radiosity::scene::Camera;
@@ -49,15 +49,16 @@ fn fitted_light_is_that_of_every_pixel() {
         let visibility = options.visibility(&scene);
         let camera =
             Camera { width: SIZE as u32, height: SIZE as u32, ..scene.camera.clone().expect("a camera") };
-        let raster = render(
-            &outcome.solution,
-            &visibility,
-            &camera,
-            1,
-            ReadMode::Gather,
-            Quantity::Radiosity,
-            &Work::alone(),
-        );
+        let raster = PictureRequest {
+            solution: &outcome.solution,
+            visibility: &visibility,
+            camera: &camera,
+            samples: 1,
+            read: ReadMode::Gather,
+            shown: Quantity::Radiosity,
+            is_preview: false,
+        }
+        .picture(&Work::alone());
         let reader = Reader::new(&outcome.solution, &visibility, ReadMode::Gather, 1e-3);
         let view = Pinhole::new(&camera);
         let (mut squares, mut sum) = (0.0, 0.0);
@@ -105,7 +106,16 @@ fn narrow_shadows_are_seen_between_the_pixels_of_the_grid() {
         ..Camera::new(eye, DVec3::new(0.8, 0.25, 0.0))
     };
     let (read, shown) = (ReadMode::Direct, Quantity::Irradiance);
-    let raster = render(&outcome.solution, &visibility, &camera, 1, read, shown, &Work::alone());
+    let raster = PictureRequest {
+        solution: &outcome.solution,
+        visibility: &visibility,
+        camera: &camera,
+        samples: 1,
+        read,
+        shown,
+        is_preview: false,
+    }
+    .picture(&Work::alone());
     let reader = Reader::new(&outcome.solution, &visibility, read, 1e-3);
     let view = Pinhole::new(&camera);
     let (mut shadowed, mut off) = (0, 0);
@@ -140,8 +150,16 @@ fn luminous_areas_are_as_bright_as_they_are_towards_the_eye() {
         let camera =
             Camera { width: 3, height: 3, up: DVec3::Y, fov: 1.0, ..Camera::new(eye, 2.0 * DVec3::Z) };
         let shot = |shown: Quantity| {
-            let raster =
-                render(&outcome.solution, &visibility, &camera, 1, ReadMode::Gather, shown, &Work::alone());
+            let raster = PictureRequest {
+                solution: &outcome.solution,
+                visibility: &visibility,
+                camera: &camera,
+                samples: 1,
+                read: ReadMode::Gather,
+                shown,
+                is_preview: false,
+            }
+            .picture(&Work::alone());
             raster.pixels().nth(4).expect("nine pixels")[0]
         };
         let (found, exact) = (shot(Quantity::Radiosity), PI * 10.0 * gamma.cos().powi(2) / 0.4);
@@ -163,15 +181,16 @@ fn openings_are_as_bright_as_the_sky_behind_them() {
         let eye = DVec3::new(0.2 + height.cos(), 0.1, 3.0 - height.sin());
         let target = DVec3::new(0.2, 0.1, 3.0);
         let camera = Camera { width: 3, height: 3, up: DVec3::Y, fov: 1.0, ..Camera::new(eye, target) };
-        let raster = render(
-            &outcome.solution,
-            &visibility,
-            &camera,
-            1,
-            ReadMode::Gather,
-            Quantity::Radiosity,
-            &Work::alone(),
-        );
+        let raster = PictureRequest {
+            solution: &outcome.solution,
+            visibility: &visibility,
+            camera: &camera,
+            samples: 1,
+            read: ReadMode::Gather,
+            shown: Quantity::Radiosity,
+            is_preview: false,
+        }
+        .picture(&Work::alone());
         let found = raster.pixels().nth(4).expect("nine pixels")[0];
         let exact = 9.0 * 700.0 / 7.0 * (1.0 + 2.0 * height.sin()) / 3.0;
         assert!((found - exact).abs() < 1e-4 * exact, "{height}: {found}, not {exact}");

@@ -6,7 +6,7 @@ use radiosity::geom::Encounter;
 use radiosity::reading::grid::{Cell, Rates, grid};
 use radiosity::reading::pictures::pinhole::Pinhole;
 use radiosity::reading::pictures::raster::Raster;
-use radiosity::reading::pictures::render::render;
+use radiosity::reading::pictures::render::PictureRequest;
 use radiosity::reading::probe::{Probe, probe};
 use radiosity::reading::quantity::Quantity;
 use radiosity::reading::reader::{ReadMode, Reader};
@@ -85,7 +85,16 @@ fn cells_sensors_and_pixels_show_the_same_light() {
         let elements = outcome.solution.elements();
         let camera = Camera { width: SIZE, height: SIZE, ..scene.camera.clone().expect("a camera") };
         let (read, shown) = (ReadMode::Gather, Quantity::Irradiance);
-        let raster = render(&outcome.solution, &visibility, &camera, 1, read, shown, &Work::alone());
+        let raster = PictureRequest {
+            solution: &outcome.solution,
+            visibility: &visibility,
+            camera: &camera,
+            samples: 1,
+            read,
+            shown,
+            is_preview: false,
+        }
+        .picture(&Work::alone());
         let pixels = by_pixels(&raster, &camera, &visibility, elements);
         let reader = Reader::by(by, &outcome.solution, &visibility, read, EPS);
         let cells = grid(&reader, [CELLS; 2], Rates::default(), &Work::alone());

@@ -58,10 +58,10 @@ impl Readings {
         number: usize,
         frame: &Frame,
         options: &Options,
-        ranks: &Ranks,
+        work: &Work<'_>,
     ) -> Result<(), CliError> {
         let reader = self.how.reader(&frame.solution, &frame.visibility);
-        let read = probe(&reader, &self.sensors.probes(), frame.scene.middle, &Work::among(ranks));
+        let read = probe(&reader, &self.sensors.probes(), frame.scene.middle, work);
         let read = read.map_err(|(index, fault)| self.sensors.unreadable(index, fault))?;
         let own = OwnError::of_frame(frame, options, &self.how);
         self.frames.push(FrameReadings { frame: number, readings: read, own });

@@ -17,8 +17,7 @@ use radiosity_request::view::View;
 use radiosity_scene::{Camera, Scene};
 use radiosity_solve::Options;
 use radiosity_solve::animation::frame::Frame;
-use radiosity_work::Work;
-use radiosity_work::ranks::Ranks;
+use radiosity_work::{Stage, Work};
 
 use super::frame_files::FrameFiles;
 use super::readings::Readings;
@@ -52,8 +51,8 @@ pub(super) struct Shutter<'a> {
     pub view: Option<Camera>,
     /// Exposure of all pictures; that of the first picture unless told.
     pub exposure: Option<Exposure>,
-    /// Processes that share the work.
-    pub ranks: &'a Ranks,
+    /// The work, whose observer hears of its stages.
+    pub work: Work<'a>,
 }
 
 /// A frame that is solved.
@@ -83,7 +82,7 @@ impl<'a> Shutter<'a> {
 
     /// Whether the picture of a frame was made by a run that is resumed.
     fn has(&self, number: usize) -> bool {
-        self.resumes && self.files.as_ref().is_some_and(|files| files.has(number, self.ranks))
+        self.resumes && self.files.as_ref().is_some_and(|files| files.has(number, self.work.ranks))
     }
 
     /// A frame as a film shows it.
@@ -111,7 +110,7 @@ impl<'a> Shutter<'a> {
         let is_wanted =
             |number: usize| wanted.contains(&number) && self.wants_picture(number, number == first);
         let shown: Vec<FilmFrame> = solved.iter().map(|own| self.shown(own, is_wanted(own.number))).collect();
-        let work = Work::among(self.ranks);
+        let work = self.work;
         film.pictures(&shown, &work, |own, raster| {
             let written = self.keep(own, &raster);
             made();
@@ -122,7 +121,7 @@ impl<'a> Shutter<'a> {
     /// Reads the points in a frame.
     fn take_readings(&mut self, own: &SolvedFrame) -> Result<(), CliError> {
         let Some(readings) = &mut self.readings else { return Ok(()) };
-        readings.read(own.number, &own.frame, self.asked, self.ranks)?;
+        readings.read(own.number, &own.frame, self.asked, &self.work)?;
         if let Some(readings) = self.readings.as_ref().filter(|_| own.number == self.judged) {
             let printed = |point: usize| readings.printed(point, &own.frame);
             self.found = self.checked(&own.frame, readings.count(), printed);
@@ -137,7 +136,7 @@ impl<'a> Shutter<'a> {
         }
         let is_there = self.has(own.number);
         let Some(mut files) = self.files.take() else { return Ok(()) };
-        let (frame, ranks) = (own.frame, self.ranks);
+        let (frame, ranks) = (own.frame, self.work.ranks);
         let mut develop = || self.developed(raster, frame);
         match is_there {
             true => drop(develop()),
@@ -157,8 +156,11 @@ impl<'a> Shutter<'a> {
     ) -> Option<CheckedReadings> {
         // Frames keep no counts of their work: it is the least effort, unless told otherwise.
         let effort = self.check.of_light(0.0, count, &frame.scene, self.asked)?;
-        let referee = Referee::of_light(&frame.scene);
-        let found = CheckedReadings::of(&referee, count, printed, &effort, &Work::among(self.ranks));
+        let judge = || {
+            let referee = Referee::of_light(&frame.scene);
+            CheckedReadings::of(&referee, count, printed, &effort, &self.work)
+        };
+        let found = self.work.during(Stage::Referee, judge);
         (!found.judged.is_empty()).then_some(found)
     }
 

@@ -7,7 +7,7 @@ use radiosity_heat::{Heat, kelvin};
 use radiosity_output::drawings::false_colour::false_colour;
 use radiosity_output::drawings::picture::Picture;
 use radiosity_reading::pictures::pixel_grid::PixelGrid;
-use radiosity_reading::pictures::render::render;
+use radiosity_reading::pictures::render::PictureRequest;
 use radiosity_reading::pictures::seen_surfaces::SeenSurfaces;
 use radiosity_reading::quantity::Quantity;
 use radiosity_reading::reader::ReadMode;
@@ -16,7 +16,6 @@ use radiosity_request::view::View;
 use radiosity_scene::{Camera, Scene};
 use radiosity_visibility::Visibility;
 use radiosity_work::Work;
-use radiosity_work::ranks::Ranks;
 
 use crate::{
     colours::ColourArgs,
@@ -86,12 +85,26 @@ impl PictureArgs {
 
 impl HeatPicture<'_> {
     /// The picture of this balance.
-    pub(crate) fn take(&self, scene: &Scene, visibility: &Visibility, heat: &Heat, ranks: &Ranks) -> Picture {
+    pub(crate) fn take(
+        &self,
+        scene: &Scene,
+        visibility: &Visibility,
+        heat: &Heat,
+        work: &Work<'_>,
+    ) -> Picture {
         let PictureArgs { show, colours, .. } = self.args;
         let levels = heat.levels();
         let (read, shown) = (ReadMode::Basis, Quantity::Radiosity);
-        let work = Work::among(ranks);
-        let raster = render(&levels, visibility, &self.camera, SAMPLES, read, shown, &work);
+        let request = PictureRequest {
+            solution: &levels,
+            visibility,
+            camera: &self.camera,
+            samples: SAMPLES,
+            read,
+            shown,
+            is_preview: false,
+        };
+        let raster = request.picture(work);
         let (field, title) = match show {
             HeatQuantity::Temperature => (raster.field(None).map(kelvin), ["temperature", "K"]),
             HeatQuantity::Exitance => (raster.field(None), ["σT⁴", "W/m²"]),
@@ -99,8 +112,8 @@ impl HeatPicture<'_> {
         // No surface is left out of the range for its light.
         let mut dark = scene.clone();
         dark.surfaces.iter_mut().for_each(|surface| surface.material.emission.fill(0.0));
-        let seen_surfaces =
-            SeenSurfaces::through(&self.camera, &PixelGrid::new(SAMPLES), &dark, visibility, ranks);
+        let grid = PixelGrid::new(SAMPLES);
+        let seen_surfaces = SeenSurfaces::through(&self.camera, &grid, &dark, visibility, work.ranks);
         let usual = field.usual_range().unwrap_or_default();
         let colours = match show {
             HeatQuantity::Temperature => colours.colours_between(usual),

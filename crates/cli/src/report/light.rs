@@ -8,7 +8,7 @@ use radiosity_reading::cell_counts::CellCounts;
 use radiosity_reading::checked_readings::{CheckedReadings, PrintedReading};
 use radiosity_reading::grid::grid;
 use radiosity_reading::own_error::OwnError;
-use radiosity_reading::pictures::render::{render, usual_read, white_balance};
+use radiosity_reading::pictures::render::{PictureRequest, usual_read, white_balance};
 use radiosity_reading::plane_figures::{PlaneFigures, in_room, is_in_room};
 use radiosity_reading::probe::{ProbeReading, probe};
 use radiosity_reading::quality::ReadSettings;
@@ -132,8 +132,10 @@ impl<'a> ReportLight<'a> {
 fn picture(run: &Run, camera: &Camera) -> Result<Picture, CliError> {
     let (solution, visibility) = (&run.solved.outcome.solution, run.solved.visibility());
     let read = usual_read(solution, visibility, pixels(camera), run.time_left());
-    let take = || render(solution, visibility, camera, SAMPLES, read, Quantity::Radiosity, &run.work());
-    let raster = run.in_threads(take)?;
+    let shown = Quantity::Radiosity;
+    let request =
+        PictureRequest { solution, visibility, camera, samples: SAMPLES, read, shown, is_preview: false };
+    let raster = run.in_threads(|| request.picture(&run.work()))?;
     let image = Image::new(&raster, white_balance(solution));
     Ok(image.exposed(image.automatic_exposure()))
 }

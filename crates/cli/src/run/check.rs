@@ -6,6 +6,7 @@ use radiosity_reading::judging::JudgedRun;
 use radiosity_reading::quality::ReadSettings;
 use radiosity_reading::reader::ReadMode;
 use radiosity_reading::run_cost::seconds_to_read;
+use radiosity_work::Stage;
 
 use super::Run;
 use crate::error::CliError;
@@ -22,6 +23,7 @@ impl Run {
         let Some(effort) = self.check_effort(seconds, count) else { return Ok(None) };
         let referee = || Referee::of_light(&self.solved.scene);
         let judge = || CheckedReadings::of(&referee(), count, reading, &effort, &self.work());
+        let judge = || self.work().during(Stage::Referee, judge);
         Ok(Some(self.in_threads(judge)?).filter(|checked| !checked.judged.is_empty()))
     }
 
@@ -31,7 +33,7 @@ impl Run {
         let Some(effort) = self.check_effort(0.0, usize::MAX) else { return Ok(()) };
         let referee = || Referee::of_light(&self.solved.scene);
         let judge = || JudgedRun::of_all_light(&self.solved, settings, &referee(), &effort, &self.work());
-        let judged = self.in_threads(judge)?;
+        let judged = self.in_threads(|| self.work().during(Stage::Referee, judge))?;
         self.add_checked((!judged.readings.is_empty()).then_some(judged.checked), settings.read);
         Ok(())
     }

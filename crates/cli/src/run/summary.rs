@@ -10,7 +10,7 @@ use radiosity_reading::warning::Warning;
 use radiosity_scene::LightGroup;
 use radiosity_solve::checks::Checks;
 use radiosity_solve::studies::adaptation::Aim;
-use radiosity_solve::{Functional, Sampling, ShotLimit, Shots};
+use radiosity_solve::{Functional, Sampling, ShotLimit, Shots, Stages};
 use radiosity_work::digits::decimals;
 
 use super::Run;
@@ -35,32 +35,32 @@ impl Run {
     /// The line about time.
     fn costs(&self) -> String {
         let Report { seconds, solver, residual, .. } = &self.report;
-        let (output, total) = (seconds.output, seconds.total);
+        let (load, total) = (seconds.stages["load"], seconds.total);
         if self.start.is_saved {
             return format!(
-                "solution read in {:.3} s ({solver}, residual {residual:.1e}), output {output:.3} s, all {total:.3} s",
-                seconds.load
+                "solution read in {load:.3} s ({solver}, residual {residual:.1e}), all {total:.3} s"
             );
         }
+        let Stages { blocks, solve, .. } = self.solved.outcome.seconds;
         format!(
-            "blocks {:.3} s ({}), {solver} {:.3} s (residual {residual:.1e}), \
-             output {output:.3} s, all {total:.3} s",
-            seconds.blocks,
+            "blocks {:.3} s ({}), {solver} {:.3} s (residual {residual:.1e}), all {total:.3} s",
+            blocks.as_secs_f64(),
             self.counts(),
-            seconds.solve
+            solve.as_secs_f64()
         )
     }
 
     /// Counts of the work on blocks, in words.
     fn counts(&self) -> String {
-        let Report { transport, seconds, kernel_samples, shadow_rays, .. } = &self.report;
+        let Report { transport, kernel_samples, shadow_rays, .. } = &self.report;
         match transport {
             Transport { links: Some(counts), .. } => {
                 let Counts { nodes, links, cluster_links, rounds, .. } = counts;
                 format!("{links} links between {nodes} nodes, {cluster_links} of clusters, {rounds} rounds")
             }
             Transport { error: Some(error), rays, exact_pairs, .. } => {
-                let rate = *rays as f64 / seconds.blocks.max(1e-9) / 1e6;
+                let seconds = self.solved.outcome.seconds.blocks.as_secs_f64();
+                let rate = *rays as f64 / seconds.max(1e-9) / 1e6;
                 let exact = match exact_pairs {
                     0 => String::new(),
                     pairs => format!(" and {pairs} pairs exactly"),
@@ -130,6 +130,7 @@ impl Run {
                 self.bounces()
             ),
             self.costs(),
+            self.start.progress.stages(),
         ];
         lines.extend(self.report.shots.as_ref().map(|shots| self.shots(shots)));
         lines.extend(self.report.ranks.as_ref().map(RanksWork::to_string));

@@ -11,26 +11,45 @@ use crate::files::npz::Archive;
 use crate::table::{Column, Listed, Table, Value};
 use radiosity_work::digits::significant;
 
+/// Names of the figures of a surface in CSV.
+const FIGURES: [&str; 10] = ["surface", "area", "emissivity", "T", "T_error", "q", "Q", "Q_error", "J", "H"];
+
 /// CSV with a row for each surface; an emissivity that is not known is left empty.
 ///
 /// # Errors
 /// Errors of writing to `out`.
 pub fn csv(surfaces: &[SurfaceHeat], out: impl Write) -> io::Result<()> {
-    let names = ["surface", "area", "emissivity", "T", "T_error", "q", "Q", "Q_error", "J", "H"];
-    let rows = surfaces.iter().map(|own| {
-        let numbers = [
-            own.temperature,
-            own.temperature_error,
-            own.flux,
-            own.flow,
-            own.flow_error,
-            own.radiosity,
-            own.irradiance,
-        ];
-        let head = [Value::from(own.name.as_str()), own.area.into(), own.emissivity.into()];
-        head.into_iter().chain(numbers.map(Value::from))
-    });
-    Table::new(names.map(Column::text), rows).listed().csv(out)
+    Table::new(FIGURES.map(Column::text), surfaces.iter().map(row)).listed().csv(out)
+}
+
+/// CSV with a row for each surface at each value of what is `swept`, in the first column.
+///
+/// # Errors
+/// Errors of writing to `out`.
+pub fn swept_csv(swept: &str, values: &[f64], balances: &[Heat], out: impl Write) -> io::Result<()> {
+    let columns: Vec<Column> = [swept].into_iter().chain(FIGURES).map(Column::text).collect();
+    let points = values.iter().zip(balances);
+    Table::new(columns, points.flat_map(|(value, heat)| rows_at(*value, heat))).listed().csv(out)
+}
+
+/// The rows of a balance behind a value.
+fn rows_at(value: f64, heat: &Heat) -> impl Iterator<Item = Vec<Value<'_>>> {
+    heat.surfaces.iter().map(move |own| [Value::from(value)].into_iter().chain(row(own)).collect())
+}
+
+/// The figures of a surface.
+fn row(own: &SurfaceHeat) -> impl Iterator<Item = Value<'_>> {
+    let numbers = [
+        own.temperature,
+        own.temperature_error,
+        own.flux,
+        own.flow,
+        own.flow_error,
+        own.radiosity,
+        own.irradiance,
+    ];
+    let head = [Value::from(own.name.as_str()), own.area.into(), own.emissivity.into()];
+    head.into_iter().chain(numbers.map(Value::from))
 }
 
 /// Digits of given figures. Chosen.
@@ -64,18 +83,33 @@ pub fn table(surfaces: &[SurfaceHeat], digits: usize) -> Table<'static> {
 /// # Errors
 /// Errors of writing to `out`.
 pub fn json(heat: &Heat, mut out: impl Write) -> io::Result<()> {
-    let document = Document {
-        surfaces: &heat.surfaces,
-        lost: heat.lost,
-        residual: heat.outcome.residual,
-        solver: heat.outcome.solver,
-        iterations: heat.outcome.iterations,
-        closure_max: heat.outcome.checks.closure_max,
-        accuracy_reached: heat.outcome.accuracy_reached,
-        checked: heat.checked.as_ref(),
-    };
-    serde_json::to_writer_pretty(&mut out, &document)?;
+    serde_json::to_writer_pretty(&mut out, &Document::of(heat))?;
     writeln!(out)
+}
+
+/// JSON with what is `swept`, and its value and the balance of each point; the check of a referee stands at the point
+/// where it was made.
+///
+/// # Errors
+/// Errors of writing to `out`.
+pub fn swept_json(swept: &str, values: &[f64], balances: &[Heat], mut out: impl Write) -> io::Result<()> {
+    let point = |(value, heat): (&f64, _)| SweptPoint { value: *value, balance: Document::of(heat) };
+    let points = values.iter().zip(balances).map(point).collect();
+    serde_json::to_writer_pretty(&mut out, &SweptPoints { swept, points })?;
+    writeln!(out)
+}
+
+#[derive(Serialize)]
+struct SweptPoints<'a> {
+    swept: &'a str,
+    points: Vec<SweptPoint<'a>>,
+}
+
+#[derive(Serialize)]
+struct SweptPoint<'a> {
+    value: f64,
+    #[serde(flatten)]
+    balance: Document<'a>,
 }
 
 #[derive(Serialize)]
@@ -89,6 +123,21 @@ struct Document<'a> {
     accuracy_reached: f64,
     #[serde(flatten)]
     checked: Option<&'a Checked>,
+}
+
+impl<'a> Document<'a> {
+    fn of(heat: &'a Heat) -> Self {
+        Self {
+            surfaces: &heat.surfaces,
+            lost: heat.lost,
+            residual: heat.outcome.residual,
+            solver: heat.outcome.solver,
+            iterations: heat.outcome.iterations,
+            closure_max: heat.outcome.checks.closure_max,
+            accuracy_reached: heat.outcome.accuracy_reached,
+            checked: heat.checked.as_ref(),
+        }
+    }
 }
 
 /// CSV with the names as header and as first column; the last column is the conductance to the surroundings.

@@ -196,8 +196,30 @@ struct Document<'a> {
     checked: Option<&'a Checked>,
     accuracy_reached: f64,
     kernel_samples: u64,
+    /// Segments tested for visibility, where rules carry the pairs.
     shadow_rays: u64,
+    transport: Transport<'a>,
     seconds: f64,
+}
+
+/// The carrier of the pairs.
+#[derive(Serialize)]
+struct Transport<'a> {
+    /// `exact` or `sampled`.
+    kind: &'a str,
+    why: &'a str,
+    /// Rays sent; 0 if exact.
+    rays: u64,
+    /// Pairs of elements that rules carried beside the rays.
+    exact_pairs: usize,
+}
+
+impl<'a> Transport<'a> {
+    fn of(factors: &'a ViewFactors) -> Self {
+        let ViewFactors { choice, rays, exact_pairs, .. } = factors;
+        let (kind, rays) = if choice.sampled { ("sampled", *rays) } else { ("exact", 0) };
+        Self { kind, why: &choice.why, rays, exact_pairs: *exact_pairs }
+    }
 }
 
 impl<'a> Document<'a> {
@@ -211,7 +233,8 @@ impl<'a> Document<'a> {
             checked: told.checked.as_ref(),
             accuracy_reached: told.largest(),
             kernel_samples: factors.samples,
-            shadow_rays: factors.rays,
+            shadow_rays: if factors.choice.sampled { 0 } else { factors.rays },
+            transport: Transport::of(factors),
             seconds: factors.elapsed.as_secs_f64(),
         }
     }

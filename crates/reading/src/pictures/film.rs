@@ -18,7 +18,7 @@ use std::collections::HashMap;
 use radiosity_elements::Elements;
 use radiosity_scene::{Camera, Scene};
 use radiosity_solve::animation::frame::Frame;
-use radiosity_work::Work;
+use radiosity_work::{Stage, Work};
 
 use super::eye::Eye;
 use super::light_field::LightField;
@@ -107,14 +107,17 @@ impl<'a> Film<'a> {
             return Ok(());
         }
         let lights: Vec<PictureLight> = frames.iter().map(|frame| self.light(frame)).collect();
-        let mut stretch = self.shared(frames, &lights);
+        let mut stretch = work.during(Stage::Picture, || self.shared(frames, &lights));
         let wanted = frames.iter().zip(&lights).enumerate().filter(|(_, (frame, _))| frame.is_wanted);
         for (place, (frame, light)) in wanted {
             let mut source = StretchFrame { stretch: &mut stretch, frame: place };
-            let mut field = light.gathers().then(|| LightField::known_by(&mut source, light, self.diagonal));
-            let eye = Eye::of(light.solution(), &frame.frame.visibility);
-            let shot = Shot::through(&frame.camera, light, &eye, self.samples, work);
-            let raster = taken(&shot, field.as_mut());
+            let raster = work.during(Stage::Picture, || {
+                let mut field =
+                    light.gathers().then(|| LightField::known_by(&mut source, light, self.diagonal));
+                let eye = Eye::of(light.solution(), &frame.frame.visibility);
+                let shot = Shot::through(&frame.camera, light, &eye, self.samples, work);
+                taken(&shot, field.as_mut())
+            });
             take(frame, raster)?;
         }
         let (error, spots) = stretch.end();

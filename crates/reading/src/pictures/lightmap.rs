@@ -107,6 +107,10 @@ impl Lightmap {
     /// The light of `solved`, in about `texels` texels together, shared among the surfaces by area: every one
     /// has two along each parameter at the least, a curved one nine. About how long that takes is told first.
     pub fn new(solved: &Solved, read: ReadMode, texels: usize, work: &Work<'_>) -> Self {
+        work.during(Stage::Texels, || Self::read(solved, read, texels, work))
+    }
+
+    fn read(solved: &Solved, read: ReadMode, texels: usize, work: &Work<'_>) -> Self {
         let solution = &solved.outcome.solution;
         let (parts, alone): (Vec<LightmapPart>, Vec<Solution>) =
             parts(&solved.scene, solution).into_iter().unzip();

@@ -47,50 +47,45 @@ const FORECAST_FROM: usize = 1 << 14;
 const AT_ONCE: usize = 1 << 20;
 const MARGIN: usize = 4;
 
-/// Renders `solution` through `camera`; about how long that takes is told first.
-///
-/// The pixels hold the quantity `shown`, W m⁻² (radiosity is radiance times π), in the bands of the solution.
-pub fn render(
-    solution: &Solution,
-    visibility: &Visibility,
-    camera: &Camera,
-    samples: u32,
-    read: ReadMode,
-    shown: Quantity,
-    work: &Work<'_>,
-) -> Raster {
-    let light = PictureLight::new(solution, visibility, read, GATHERED_FOR_PICTURES);
-    alone(&light.showing(shown, camera.eye), visibility, camera, samples, work)
+/// Settings of a picture of a solution.
+#[derive(Clone, Copy, Debug)]
+pub struct PictureRequest<'a> {
+    /// The solution.
+    pub solution: &'a Solution,
+    /// Its surfaces as obstacles.
+    pub visibility: &'a Visibility,
+    /// The camera through which it is seen.
+    pub camera: &'a Camera,
+    /// Camera rays along each side of a pixel that is sampled finely.
+    pub samples: u32,
+    /// The light that is read.
+    pub read: ReadMode,
+    /// The quantity that the pixels hold.
+    pub shown: Quantity,
+    /// Whether recomputed light has the accuracy of previews ([`ACCURACY_OF_PREVIEWS`]): in less time, to look around.
+    pub is_preview: bool,
 }
 
-/// As [`render`], to the relative accuracy [`ACCURACY_OF_PREVIEWS`]: in less time, to look around.
-pub fn preview(
-    solution: &Solution,
-    visibility: &Visibility,
-    camera: &Camera,
-    samples: u32,
-    read: ReadMode,
-    shown: Quantity,
-    work: &Work<'_>,
-) -> Raster {
-    let light = PictureLight::new(solution, visibility, read, ACCURACY_OF_PREVIEWS);
-    alone(&light.showing(shown, camera.eye), visibility, camera, samples, work)
-}
+impl PictureRequest<'_> {
+    /// Takes the picture; about how long that takes is told first.
+    ///
+    /// The pixels hold W m⁻² (radiosity is radiance times π), in the bands of the solution.
+    pub fn picture(&self, work: &Work<'_>) -> Raster {
+        work.during(Stage::Picture, || alone(&self.light(), self.visibility, self.camera, self.samples, work))
+    }
 
-/// About the seconds that [`render`] takes with these settings.
-pub fn seconds_to_render(
-    solution: &Solution,
-    visibility: &Visibility,
-    camera: &Camera,
-    samples: u32,
-    read: ReadMode,
-    shown: Quantity,
-    work: &Work<'_>,
-) -> f64 {
-    let light = PictureLight::new(solution, visibility, read, GATHERED_FOR_PICTURES);
-    let light = light.showing(shown, camera.eye);
-    let eye = Eye::of(light.solution(), visibility);
-    Shot::through(camera, &light, &eye, samples, work).seconds()
+    /// About the seconds that the picture takes.
+    pub fn seconds(&self, work: &Work<'_>) -> f64 {
+        let light = self.light();
+        let eye = Eye::of(light.solution(), self.visibility);
+        Shot::through(self.camera, &light, &eye, self.samples, work).seconds()
+    }
+
+    fn light(&self) -> PictureLight<'_> {
+        let eps = if self.is_preview { ACCURACY_OF_PREVIEWS } else { GATHERED_FOR_PICTURES };
+        let light = PictureLight::new(self.solution, self.visibility, self.read, eps);
+        light.showing(self.shown, self.camera.eye)
+    }
 }
 
 /// The picture of this light through `camera`, which no other one shares its light with.

@@ -7,7 +7,7 @@ use radiosity_scene::Scene;
 use radiosity_solve::solution::Band;
 use radiosity_solve::solved::Solved;
 use radiosity_solve::studies::adaptation::{Achieved, EndReason};
-use radiosity_solve::{LightMethod, Options, Outcome};
+use radiosity_solve::{LightMethod, Options, Outcome, Sampling};
 use radiosity_visibility::inspection::{BEFORE_OPENINGS, Inspection, before_openings};
 use radiosity_work::digits::significant;
 use radiosity_work::wording::{Wording, option, set, words};
@@ -131,8 +131,13 @@ fn cure_of_power(options: &Options, outcome: &Outcome) -> Wording {
             ) + set("direct", "projected")
         }
         _ => {
-            let rays = if outcome.links.is_some() { "link-rays" } else { "rays" };
-            let usual = words("lower ") + option("eps") + ", or send more " + option(rays);
+            let are_cut = outcome.sampling.is_some_and(|sampling| sampling.rays < sampling.planned);
+            let more = match are_cut {
+                true => words("give rays more time with ") + option("time-limit"),
+                false if outcome.links.is_some() => words("send more ") + option("link-rays"),
+                false => words("send more ") + option("rays"),
+            };
+            let usual = words("lower ") + option("eps") + ", or " + more;
             words(
                 "where surfaces reflect nearly all light, the error of the transfers counts once for every reflection: ",
             ) + cure(options, usual)
@@ -243,20 +248,23 @@ const WAITING: f64 = 1e-3;
 /// such elements at points was 3 % off in a classroom.
 const ROUGH: f64 = 0.15;
 
-/// A warning where rays leave a large error.
-fn rays(error: Option<f64>) -> Option<Warning> {
-    let message = || match error {
-        None => {
-            words("rays leave an unknown error: half of them are too few for a solution; send more with ")
-                + option("rays")
+/// A warning where rays leave a large error. Those that ended before all were sent had too little time.
+fn rays(sampling: &Sampling) -> Option<Warning> {
+    let Sampling { error, rays, planned, .. } = *sampling;
+    let cure = match rays < planned {
+        true => {
+            words(format!("{rays} of {planned} were sent: give them more time with ")) + option("time-limit")
         }
+        false => words("send more with ") + option("rays"),
+    };
+    let message = || match error {
+        None => words("rays leave an unknown error: half of them are too few for a solution; ") + cure,
         Some(error) => {
             let told = format!(
-                "rays leave an error of about {:.0} % in the mean irradiances of the elements, less in gathered light: send more \
-                 with ",
+                "rays leave an error of about {:.0} % in the mean irradiances of the elements, less in gathered light: ",
                 100.0 * error
             );
-            words(told) + option("rays") + ", or ask for an " + option("accuracy")
+            words(told) + cure + ", or ask for an " + option("accuracy")
         }
     };
     error.is_none_or(|error| error > ROUGH).then(|| Warning::general("sampling-error", message()))
@@ -266,7 +274,7 @@ fn rays(error: Option<f64>) -> Option<Warning> {
 fn discretization(scene: &Scene, options: &Options, outcome: &Outcome) -> Vec<Warning> {
     if let Some(sampling) = outcome.sampling {
         // What exact pairs miss is a part of it.
-        return rays(sampling.error).into_iter().collect();
+        return rays(&sampling).into_iter().collect();
     }
     let worst = outcome.worst_error.filter(WorstError::is_real);
     let warnings = [

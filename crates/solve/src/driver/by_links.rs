@@ -15,7 +15,7 @@ use radiosity_scene::Scene;
 use radiosity_solvers::Settings;
 use radiosity_solvers::method::{Access, Method};
 use radiosity_work::ranks::Ranks;
-use radiosity_work::{Progress, Stage, Work};
+use radiosity_work::{Stage, Work};
 
 use super::emission::Emission;
 use super::failure::Failure;
@@ -44,17 +44,19 @@ pub(super) fn solve_by_links(scene: &Scene, options: &Options, work: &Work<'_>) 
 
 fn by_links(scene: &Scene, options: &Options, work: &Work<'_>) -> Result<Outcome, Failure> {
     let (mut seconds, how) = (Stages::default(), linking(options));
-    let found = timed(&mut seconds.blocks, || solve_hierarchically(scene, &how, work.observer))?;
-    work.report(Progress::Finished { stage: Stage::Blocks, took: seconds.blocks });
+    let link = || work.during(Stage::Blocks, || solve_hierarchically(scene, &how, work.observer));
+    let found = timed(&mut seconds.blocks, link)?;
     let hierarchy = found.hierarchy();
-    let elements = Arc::new(timed(&mut seconds.elements, || leaf_elements(scene, hierarchy))?);
+    let cut = || work.during(Stage::Elements, || leaf_elements(scene, hierarchy));
+    let elements = Arc::new(timed(&mut seconds.elements, cut)?);
     let links = LinkedElements::new(hierarchy, &elements);
     let (solver, ranks) = (how.solver, work.ranks);
     let run = Run { scene, options, solver, hierarchy, links: &links, elements: &elements, ranks };
-    let (groups, costs) = timed(&mut seconds.solve, || run.groups())?;
-    work.report(Progress::Finished { stage: Stage::Solve, took: seconds.solve });
+    let (groups, costs) = timed(&mut seconds.solve, || work.during(Stage::Solve, || run.groups()))?;
     let solution = Solution::of_groups(Arc::clone(&elements), scene, groups);
-    let checks = Checks::with_powers(&solution, &links, solution.powers().unwrap_or_default(), work.ranks);
+    let powers = solution.powers().unwrap_or_default();
+    let check = || Checks::with_powers(&solution, &links, powers, work.ranks);
+    let checks = work.during(Stage::Checks, check);
     let slowest = costs.into_iter().max_by_key(|effort| effort.iterations);
     let (solver, iterations) =
         slowest.map_or((how.solver.name, 0), |effort| (effort.solver, effort.iterations));

@@ -20,7 +20,7 @@ use radiosity_solvers::method::Access;
 use radiosity_transport::ColumnsAsShot;
 use radiosity_visibility::Visibility;
 use radiosity_work::ranks::Ranks;
-use radiosity_work::{Progress, Stage, Work};
+use radiosity_work::{Stage, Work};
 
 use crate::checks::{Balance, Checks};
 use crate::solution::Solution;
@@ -180,8 +180,7 @@ impl Model {
         let known =
             kept.as_deref_mut().and_then(|kept| kept.unchanged(&senders(scene), &|| subject.shares()));
         let found = || known.unwrap_or_else(|| carried(scene, &subject, *rays, kept));
-        let (blocks, sampling) = timed(&mut took, found);
-        work.report(Progress::Finished { stage: Stage::Blocks, took });
+        let (blocks, sampling) = timed(&mut took, || work.during(Stage::Blocks, found));
         ready.seconds.blocks = took;
         Self { ready, blocks, sampling }
     }
@@ -207,23 +206,22 @@ impl Model {
         let wanted = |a, b| ready.sends(a) || ready.sends(b);
         let emissions = Emission::all(&ready.scene, ready.elements.list());
         let first = ready.first_light(&ready.scene, &emissions, work.ranks);
-        let columns = ColumnsAsShot::new(ready.demand(&wanted));
+        let columns = work.during(Stage::Blocks, || ColumnsAsShot::new(ready.demand(&wanted), *work));
         let source = ColumnSource { columns: &columns, before: columns.seconds(), all_first: None };
         let shooter = ready.shooter(&ready.scene, &emissions, &first);
-        let shot = timed(&mut took, || shooter.shot(source, &Unknowns::default(), work))?;
+        let shoot = || shooter.shot(source, &Unknowns::default(), work);
+        let shot = timed(&mut took, || work.during(Stage::Solve, shoot))?;
         let integrated = columns.seconds();
         let before = source.before;
         let blocks = columns.into_blocks();
         let light = shooter.light(&shot, &blocks);
         ready.seconds.blocks = integrated;
         ready.seconds.solve = (before + took).saturating_sub(integrated);
-        work.report(Progress::Finished { stage: Stage::Blocks, took: ready.seconds.blocks });
-        work.report(Progress::Finished { stage: Stage::Solve, took: ready.seconds.solve });
         let seconds = ready.seconds;
         let scene = ready.scene.clone();
         let model = Self { ready, blocks, sampling: None };
         let light = SolvedLight::shot(light, shot);
-        Ok(model.outcome(&scene, Entered { emissions, first }, light, seconds, work.ranks))
+        Ok(model.outcome(&scene, Entered { emissions, first }, light, seconds, work))
     }
 
     /// Solves for the materials of `scene`, and the factors of its light groups. Its surfaces are those of
@@ -242,6 +240,11 @@ impl Model {
     pub(crate) fn with_shots(mut self, shots: Option<ShotLimit>) -> Self {
         self.ready.options.shots = shots;
         self
+    }
+
+    /// Solves systems to this tolerance from now on.
+    pub fn set_tolerance(&mut self, tolerance: f64) {
+        self.ready.options.tolerance = tolerance;
     }
 
     /// The elements of the model's surfaces.
@@ -295,17 +298,28 @@ impl Model {
 
     fn solved(&self, scene: &Scene, work: &Work<'_>) -> Result<Outcome, Failure> {
         let mut seconds = self.ready.seconds;
+        let solve = || self.entered(scene, &mut seconds, work);
+        let (entered, light) = work.during(Stage::Solve, solve)?;
+        Ok(self.outcome(scene, entered, light, seconds, work))
+    }
+
+    /// The light of a scene with what enters first, timed.
+    fn entered(
+        &self,
+        scene: &Scene,
+        seconds: &mut Stages,
+        work: &Work<'_>,
+    ) -> Result<(Entered, SolvedLight), Failure> {
         let emissions = Emission::all(scene, self.ready.elements.list());
         let mut again = Duration::ZERO;
         let first = timed(&mut again, || self.ready.first_light(scene, &emissions, work.ranks));
         seconds.direct += again;
-        let light =
-            timed(&mut seconds.solve, || self.light(scene, &emissions, &first, &Unknowns::default(), work))?;
+        let none = Unknowns::default();
+        let light = timed(&mut seconds.solve, || self.light(scene, &emissions, &first, &none, work))?;
         let entered = Entered { emissions, first };
-        let (entered, light) = timed(&mut again, || self.through_masks(scene, entered, light, work))?;
+        let found = timed(&mut again, || self.through_masks(scene, entered, light, work))?;
         seconds.direct += again;
-        work.report(Progress::Finished { stage: Stage::Solve, took: seconds.solve });
-        Ok(self.outcome(scene, entered, light, seconds, work.ranks))
+        Ok(found)
     }
 
     /// The light of a frame, the scene from which the model was assembled, found from the unknowns `before` of
@@ -322,7 +336,8 @@ impl Model {
         let emissions = Emission::all(scene, self.ready.elements.list());
         let first = self.ready.first_light(scene, &emissions, work.ranks);
         let mut seconds = self.ready.seconds;
-        let light = timed(&mut seconds.solve, || self.light(scene, &emissions, &first, before, work))?;
+        let solve = || self.light(scene, &emissions, &first, before, work);
+        let light = timed(&mut seconds.solve, || work.during(Stage::Solve, solve))?;
         let (entered, light) = self.through_masks(scene, Entered { emissions, first }, light, work)?;
         let SolvedLight { light, before, unknowns, costs, .. } = light;
         let solution = self.solution_of(scene, entered, light, before);
@@ -410,8 +425,19 @@ impl Model {
         Ok(SolvedLight::shot(shooter.light(&shot, &self.blocks), shot))
     }
 
-    /// The outcome for the light of a scene.
+    /// The outcome for the light of a scene, with its self-checks.
     fn outcome(
+        &self,
+        scene: &Scene,
+        entered: Entered,
+        light: SolvedLight,
+        seconds: Stages,
+        work: &Work<'_>,
+    ) -> Outcome {
+        work.during(Stage::Checks, || self.checked(scene, entered, light, seconds, work.ranks))
+    }
+
+    fn checked(
         &self,
         scene: &Scene,
         entered: Entered,

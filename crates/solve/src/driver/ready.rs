@@ -10,7 +10,7 @@ use radiosity_transport::Demand;
 use radiosity_visibility::Visibility;
 use radiosity_work::ranks::Ranks;
 use radiosity_work::wording::{option, set};
-use radiosity_work::{Progress, Stage, Work};
+use radiosity_work::{Stage, Work};
 
 use super::column_choice::ColumnChoice;
 use super::decisions::{AssemblyPlan, Decisions};
@@ -58,18 +58,21 @@ impl Ready {
     ) -> Result<Self, Failure> {
         require_diffuse(scene, options)?;
         let mut seconds = Stages::default();
-        let decisions = timed(&mut seconds.visibility, || plan.decided(scene, options, work.left()));
+        let decide = || work.during(Stage::Visibility, || plan.decided(scene, options, work.left()));
+        let decisions = timed(&mut seconds.visibility, decide);
         // The choice may depend on time or memory, which no fingerprint holds.
         work.ranks.note_choice(&(options.neutral(), decisions.choice.sampled));
-        work.report(Progress::Finished { stage: Stage::Visibility, took: seconds.visibility });
         let elements_before = before.and_then(|kept| kept.blocks.elements());
         // Scenes that follow need as much as the first one.
         if elements_before.is_none() {
             decisions.require_memory(scene, options, before.is_some(), work.ranks)?;
         }
-        let elements = timed(&mut seconds.elements, || elements(scene, &decisions, elements_before))?;
-        let subspace = timed(&mut seconds.elements, || subspace(scene, options, &elements));
-        work.report(Progress::Finished { stage: Stage::Elements, took: seconds.elements });
+        let cut = || {
+            let elements = elements(scene, &decisions, elements_before)?;
+            let subspace = subspace(scene, options, &elements);
+            Ok::<_, Failure>((elements, subspace))
+        };
+        let (elements, subspace) = timed(&mut seconds.elements, || work.during(Stage::Elements, cut))?;
         let Decisions { visibility, choice, rays, .. } = decisions;
         let emissions = Emission::all(scene, elements.list());
         let lit_scene =
@@ -79,10 +82,8 @@ impl Ready {
             None => Transfers::Rules,
             Some(_) => Transfers::Changed,
         };
-        let first = timed(&mut seconds.direct, || FirstLight::of(&lit_scene, emissions, transfers));
-        if first.is_apart() {
-            work.report(Progress::Finished { stage: Stage::Direct, took: seconds.direct });
-        }
+        let light = || work.during(Stage::Direct, || FirstLight::of(&lit_scene, emissions, transfers));
+        let first = timed(&mut seconds.direct, light);
         Ok(Self {
             scene: scene.clone(),
             options: *options,

@@ -8,7 +8,8 @@
 //! ```
 //!
 //! Each pair that a ray meets takes memory. The pilot tells how many rays it takes to meet one more, and where there
-//! is no room for as many as were planned, fewer are sent, or the run is refused where their number was given.
+//! is no room for as many as were planned, fewer are sent, or the run is refused where their number was given. A pilot
+//! of fewer rays meets more pairs with each, so that the number that would fit is tried before it is told.
 
 use radiosity_elements::Elements;
 use radiosity_kernel::{Accuracy, Blocks, PlacedBlock};
@@ -35,6 +36,9 @@ const EXACT: f64 = 5.0;
 /// Bytes that a pair takes that a ray has met, at the most: its sums, the blocks by either half of the rays, and how
 /// rows are made to close. Counted from their types, not measured.
 const PAIR: f64 = 130.0;
+
+/// Rays that are tried next, over those that would fit if they met pairs as the last ones did. Chosen.
+const LESS: f64 = 0.9;
 
 /// Pairs that are met where nothing is said of rays: a gigabyte with the rest of a run. Chosen.
 const USUALLY_MOST: f64 = 6e6;
@@ -69,7 +73,7 @@ impl FactorRays<'_> {
     pub(super) fn carried(&self) -> Result<Carried, Failure> {
         let Self { elements, visibility, work, .. } = *self;
         let mut transport = SampledTransport::new(elements, visibility, work.ranks);
-        self.send(&mut transport, &self.shared(PILOT * self.rays as f64, |_| 1.0), self.rays);
+        self.send(&mut transport, &self.pilot(self.rays as f64), self.rays);
         let rays = self.affordable(&transport)?;
         // What follows depends on memory, which no fingerprint holds.
         work.ranks.note_choice(&rays);
@@ -93,22 +97,49 @@ impl FactorRays<'_> {
 
     /// The rays for which there is room, by the pairs that those of the pilot have met.
     fn affordable(&self, transport: &SampledTransport) -> Result<f64, Failure> {
-        let sent: u64 = transport.sent().iter().sum();
-        let count = self.elements.list().len() as f64;
-        let by_ray = transport.pairs_met() as f64 / (sent as f64).max(1.0);
-        let met = |rays: f64| (by_ray * rays).min(0.5 * count * (count + 1.0));
         let allowed = self.memory.map_or(f64::INFINITY, |bytes| bytes as f64 / PAIR);
         let most = if self.is_given { allowed } else { allowed.min(USUALLY_MOST) };
         let rays = self.rays as f64;
-        if met(rays) <= most {
+        let met = self.met(transport, rays);
+        if met <= most {
             return Ok(rays);
         }
-        let fits = most / by_ray;
+        let fits = rays * most / met;
         if !self.is_given {
             return Ok(fits);
         }
-        let [needed, allowed] = [met(rays), allowed].map(|pairs| (PAIR * pairs) as u64);
-        Err(Failure::Memory { needed, allowed, fits: vec![MemoryReduction::Rays(fits as u64)] })
+        let [needed, allowed] = [met, allowed].map(|pairs| (PAIR * pairs) as u64);
+        let fits = self.fitting(fits, most).map(MemoryReduction::Rays);
+        Err(Failure::Memory { needed, allowed, fits: fits.into_iter().collect() })
+    }
+
+    /// About the number of pairs that so many rays meet, by those that a pilot has met.
+    fn met(&self, pilot: &SampledTransport, rays: f64) -> f64 {
+        let sent: u64 = pilot.sent().iter().sum();
+        let count = self.elements.list().len() as f64;
+        let by_ray = pilot.pairs_met() as f64 / (sent as f64).max(1.0);
+        (by_ray * rays.max(FEWEST as f64 * count)).min(0.5 * count * (count + 1.0))
+    }
+
+    /// A number of rays, `about` so many, that by its own pilot meets no more than `most` pairs; None where even a few
+    /// do.
+    fn fitting(&self, about: f64, most: f64) -> Option<u64> {
+        let mut rays = about.floor();
+        while rays >= 1.0 {
+            let mut pilot = SampledTransport::new(self.elements, self.visibility, self.work.ranks);
+            pilot.send(&self.pilot(rays), &mut |_| true);
+            let met = self.met(&pilot, rays);
+            if met <= most {
+                return Some(rays as u64);
+            }
+            rays = (LESS * rays * most / met).floor();
+        }
+        None
+    }
+
+    /// The rays of a pilot of so many.
+    fn pilot(&self, rays: f64) -> Vec<u64> {
+        self.shared(PILOT * rays, |_| 1.0)
     }
 
     /// Accuracy of the pairs that rules carry: better than that of most others.

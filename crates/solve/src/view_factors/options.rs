@@ -26,13 +26,13 @@ pub struct Options {
 }
 
 impl Default for Options {
-    /// Every pair by rules, to 1e-3 with its shadows.
+    /// Every pair to 1e-3 with its shadows by rules, or by rays where rules would take long.
     fn default() -> Self {
         Self {
             subdivide: None,
             accuracy: Accuracy { eps: 1e-3, shadow_eps: 1e-3 },
             shadows: Shadows::Auto,
-            transport: Transport::Exact,
+            transport: Transport::Auto,
             rays: None,
             memory: None,
             threads: 0,

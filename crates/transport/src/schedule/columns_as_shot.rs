@@ -14,6 +14,7 @@ use radiosity_kernel::block_columns::{BlockColumns, placed};
 use radiosity_kernel::{Blocks, PairCounts, PlacedBlock};
 use radiosity_work::interruption::check_interrupt;
 use radiosity_work::ranks::Ranks;
+use radiosity_work::{Stage, Work};
 use rayon::prelude::*;
 
 use crate::kept_blocks::IntegratedBlock;
@@ -35,11 +36,12 @@ pub struct ColumnsAsShot<'a> {
     asked: Vec<AtomicBool>,
     pairs: PairCounts,
     seconds: Mutex<Duration>,
+    work: Work<'a>,
 }
 
 impl<'a> ColumnsAsShot<'a> {
     /// Sorts and plans the pairs of a demand; integrates nothing.
-    pub fn new(demand: Demand<'a>) -> Self {
+    pub fn new(demand: Demand<'a>, work: Work<'a>) -> Self {
         let begun = Instant::now();
         let schedule = Schedule::new(demand, Unreached::Kept);
         let starts = demand.elements.starts();
@@ -60,7 +62,7 @@ impl<'a> ColumnsAsShot<'a> {
         let blocks = owners.iter().map(|_| OnceLock::new()).collect();
         let asked = columns.iter().map(|_| AtomicBool::new(false)).collect();
         let seconds = Mutex::new(begun.elapsed());
-        Self { schedule, starts, plan, columns, owners, blocks, asked, pairs, seconds }
+        Self { schedule, starts, plan, columns, owners, blocks, asked, pairs, seconds, work }
     }
 
     /// Time spent on sorting and integration so far.
@@ -78,14 +80,16 @@ impl<'a> ColumnsAsShot<'a> {
         let mut missing: Vec<usize> = places.filter(|place| self.blocks[*place].get().is_none()).collect();
         missing.sort_unstable();
         missing.dedup();
-        missing.par_iter().for_each(|place| {
-            check_interrupt();
-            let Planned { task, goal, .. } = &self.plan[self.owners[*place]];
-            self.blocks[*place].get_or_init(|| {
-                Arc::new(IntegratedBlock::of(self.schedule.block(self.schedule.is_turned(task), task, *goal)))
-            });
-        });
+        self.work.during(Stage::Blocks, || missing.par_iter().for_each(|place| self.integrate_block(*place)));
         *self.seconds.lock().expect("nothing fails while it is held") += begun.elapsed();
+    }
+
+    fn integrate_block(&self, place: usize) {
+        check_interrupt();
+        let Planned { task, goal, .. } = &self.plan[self.owners[place]];
+        self.blocks[place].get_or_init(|| {
+            Arc::new(IntegratedBlock::of(self.schedule.block(self.schedule.is_turned(task), task, *goal)))
+        });
     }
 
     /// The blocks of all columns that were asked for, as a matrix whose other rows are left open.

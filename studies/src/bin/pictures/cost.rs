@@ -6,7 +6,7 @@ use std::sync::Mutex;
 use cpu_time::ProcessTime;
 
 use radiosity::reading::pictures::film::{Film, FilmFrame};
-use radiosity::reading::pictures::render::render;
+use radiosity::reading::pictures::render::PictureRequest;
 use radiosity::reading::quantity::Quantity;
 use radiosity::reading::reader::ReadMode;
 use radiosity::scene::{Camera, Scene};
@@ -61,7 +61,16 @@ impl Cost {
         let work = Work::alone().observed_by(&observer);
         let (solution, visibility) = (&solved.outcome.solution, solved.visibility());
         let start = ProcessTime::now();
-        let _ = render(solution, visibility, camera, SAMPLES, ReadMode::Gather, Quantity::Radiosity, &work);
+        let _ = PictureRequest {
+            solution,
+            visibility,
+            camera,
+            samples: SAMPLES,
+            read: ReadMode::Gather,
+            shown: Quantity::Radiosity,
+            is_preview: false,
+        }
+        .picture(&work);
         let picture = start.elapsed().as_secs_f64();
         let Told { forecast, gathers } = told.into_inner().map_err(|_| "an observer panicked")?;
         Ok(Self { pixels: pixels(camera), solve, picture, forecast, gathers })

@@ -5,7 +5,7 @@ use cpu_time::ProcessTime;
 use radiosity::Work;
 use radiosity::geom::{DVec3, Encounter};
 use radiosity::reading::pictures::pinhole::Pinhole;
-use radiosity::reading::pictures::render::render;
+use radiosity::reading::pictures::render::PictureRequest;
 use radiosity::reading::quantity::Quantity;
 use radiosity::reading::reader::{ReadMode, Reader};
 use radiosity::scene::Camera;
@@ -51,7 +51,16 @@ impl<'a> Errors<'a> {
     /// Takes the picture of one sample a pixel.
     pub(crate) fn of(solution: &'a Solution, visibility: &'a Visibility, camera: &Camera) -> Self {
         let gather = ReadMode::Gather;
-        let raster = render(solution, visibility, camera, 1, gather, Quantity::Radiosity, &Work::alone());
+        let raster = PictureRequest {
+            solution,
+            visibility,
+            camera,
+            samples: 1,
+            read: gather,
+            shown: Quantity::Radiosity,
+            is_preview: false,
+        }
+        .picture(&Work::alone());
         let view = Pinhole::new(camera);
         let width = camera.width as usize;
         let look = |pixel: usize| {

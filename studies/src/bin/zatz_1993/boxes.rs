@@ -16,7 +16,7 @@ use radiosity::published::zatz1993::masking::{Average, Masking};
 use radiosity::reading::difference::Difference;
 use radiosity::reading::exposure::Exposure;
 use radiosity::reading::pictures::raster::Raster;
-use radiosity::reading::pictures::render::render;
+use radiosity::reading::pictures::render::PictureRequest;
 use radiosity::reading::quality::Quality;
 use radiosity::reading::quantity::Quantity;
 use radiosity::reading::reader::ReadMode;
@@ -111,7 +111,16 @@ fn picture(
     let visibility = options.visibility(scene);
     let solution = &outcome.solution;
     let raster = in_threads(options.threads, || {
-        render(solution, &visibility, &camera, 1, read, Quantity::Radiosity, &Work::alone())
+        PictureRequest {
+            solution,
+            visibility: &visibility,
+            camera: &camera,
+            samples: 1,
+            read,
+            shown: Quantity::Radiosity,
+            is_preview: false,
+        }
+        .picture(&Work::alone())
     })?;
     let row_sums = [outcome.checks.row_sum_min, outcome.checks.row_sum_max];
     let unknowns = solution.elements().coefficients();

@@ -30,7 +30,7 @@ use radiosity::reading::difference::Difference;
 use radiosity::reading::exposure::Exposure;
 use radiosity::reading::pictures::pinhole::Pinhole;
 use radiosity::reading::pictures::raster::Raster;
-use radiosity::reading::pictures::render::render;
+use radiosity::reading::pictures::render::PictureRequest;
 use radiosity::reading::quality::Quality;
 use radiosity::reading::quantity::Quantity;
 use radiosity::reading::reader::ReadMode;
@@ -138,7 +138,16 @@ fn picture(way: &Way) -> Result<Raster, Box<dyn Error>> {
     let (solution, camera) = (&outcome.solution, camera(&scene));
     let work = Work::alone();
     Ok(in_threads(way.options.threads, || {
-        render(solution, &visibility, &camera, SAMPLES, way.read, Quantity::Radiosity, &work)
+        PictureRequest {
+            solution,
+            visibility: &visibility,
+            camera: &camera,
+            samples: SAMPLES,
+            read: way.read,
+            shown: Quantity::Radiosity,
+            is_preview: false,
+        }
+        .picture(&work)
     })?)
 }
 

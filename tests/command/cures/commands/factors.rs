@@ -24,6 +24,11 @@ pub(super) const ROWS: &[Typed] = &[
         told: &[r#"unknown surface "room-tip""#, r#"help: did you mean "room-top"?"#],
     },
     Typed {
+        bad: "view-factors room.toml --transport exact --rays 1000",
+        cured: "view-factors room.toml --transport exact",
+        told: &["--rays does not go with --transport exact", "help: leave one of them out"],
+    },
+    Typed {
         bad: "view-factors gap.obj --strict",
         cured: "view-factors gap.obj",
         told: &["help: mend the file, or let repairs be made by leaving out --strict"],

@@ -36,5 +36,36 @@ pub(super) const ROWS: &[Typed] = &[
         cured: "heat grey.toml",
         told: &["no emissivity is given for", "help: give the material emissivity = …, 0 < ε ≤ 1"],
     },
+    Typed {
+        bad: "heat cool.toml --sweep floor.temperature=300..310/2 --format text",
+        cured: "heat cool.toml --sweep floor.temperature=300..310/2 --format csv",
+        told: &["--format text has no place for a sweep", "help: take --format csv or json"],
+    },
+    Typed {
+        bad: "heat cool.toml --set flor.temperature=310",
+        cured: "heat cool.toml --set floor.temperature=310",
+        told: &["no surface and no material is called \"flor\"", "help: did you mean \"floor\"?"],
+    },
+    Typed {
+        bad: "heat cool.toml --set floor.temprature=310",
+        cured: "heat cool.toml --set floor.temperature=310",
+        told: &["unknown key \"temprature\"", "help: did you mean \"temperature\"?"],
+    },
+    Typed {
+        bad: "heat shared.toml --set a.emissivity=0.4",
+        cured: "heat cool.toml --set a.emissivity=0.4",
+        told: &[
+            "is a surface, and a material of others, too",
+            "help: give one of them another name in the scene",
+        ],
+    },
+    Typed {
+        bad: "heat cool.toml --rays 1000",
+        cured: "heat cool.toml --rays 1000 --transport sampled",
+        told: &[
+            "--rays does nothing without --transport sampled",
+            "help: add --transport sampled, or leave --rays out",
+        ],
+    },
     Typed { bad: "heat warm.toml --memory 1k", cured: "heat warm.toml", told: &["not enough memory"] },
 ];

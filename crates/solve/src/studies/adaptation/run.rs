@@ -7,7 +7,7 @@ use radiosity_audit::Verdict;
 use radiosity_elements::mesh::Mesh;
 use radiosity_scene::Scene;
 use radiosity_solvers::{SolveError, Stop};
-use radiosity_work::{Progress, Stage, Work};
+use radiosity_work::{Stage, Work};
 
 use super::error_estimate::ErrorEstimate;
 use super::estimate::estimate;
@@ -184,9 +184,8 @@ impl<'a> Adaptation<'a> {
         part: impl FnOnce(&Solved) -> Result<T, Failure>,
     ) -> Result<T, Failure> {
         let mut taken = Duration::ZERO;
-        let estimate = timed(&mut taken, || part(run))?;
+        let estimate = timed(&mut taken, || self.work.during(Stage::Estimate, || part(run)))?;
         run.outcome.seconds.estimate += taken;
-        self.work.report(Progress::Finished { stage: Stage::Estimate, took: taken });
         Ok(estimate)
     }
 

@@ -1,0 +1,174 @@
+//! Transfers that are kept: balances of other temperatures, fluxes and emissivities are those of the scenes alone.
+
+use radiosity::Work;
+use radiosity::audit::Effort;
+use radiosity::heat::{Heat, HeatError, HeatModel, HeatOptions, SurfaceHeat};
+use radiosity::request::HeatSweep;
+use radiosity::scene::{FaultKind, HeatSetting, Scene};
+use radiosity::solve::{Failure, Options};
+use radiosity_test_support::compare::assert_close;
+use radiosity_test_support::scenes::{builtin, typed};
+
+use super::shared::{CUBE, level, of};
+
+fn with(scene: &Scene, setting: &str, value: f64) -> Scene {
+    let setting = HeatSetting::named(setting).unwrap_or_else(|fault| panic!("{fault}"));
+    scene.with_heat(&setting, value).unwrap_or_else(|error| panic!("{error}"))
+}
+
+fn kept(scene: &Scene, options: &Options) -> HeatModel {
+    HeatModel::of(scene, options, &Work::alone()).unwrap_or_else(|error| panic!("{error}")).0
+}
+
+fn balance(model: &mut HeatModel, scene: &Scene) -> Heat {
+    model.balance(scene, &Work::alone()).unwrap_or_else(|error| panic!("{error}"))
+}
+
+/// A sphere in another, whose view factors follow from sums: Q = A₁ σ (T₁⁴ − T₂⁴) / (1/ε₁ + (A₁/A₂) (1/ε₂ − 1)).
+#[test]
+fn spheres_of_any_heat_come_from_one_model() {
+    let scene = typed(
+        r#"
+        materials.hot = { emissivity = 0.8, temperature = 500 }
+        materials.cold = { emissivity = 0.2, temperature = 300 }
+        [[surfaces]]
+        name = "inner"
+        material = "hot"
+        sphere = { center = [0, 0, 0], radius = 1 }
+        [[surfaces]]
+        name = "outer"
+        material = "cold"
+        flip = true
+        sphere = { center = [0, 0, 0], radius = 2 }
+        "#,
+    );
+    let usual = HeatOptions::default().options;
+    let mut model = kept(&scene, &Options { order: 0, eps: 1e-3, shadow_eps: 1e-3, ..usual });
+    let area = 4.0 * std::f64::consts::PI;
+    let flow = |one: f64, other: f64, hot: f64| {
+        area * (level(hot) - level(300.0)) / (1.0 / one + 0.25 * (1.0 / other - 1.0))
+    };
+    for own in [0.01, 0.3, 0.77, 1.0] {
+        let found = balance(&mut model, &with(&scene, "outer.emissivity", own));
+        assert_close(of(&found, "inner").flow, flow(0.8, own, 500.0), 1e-10);
+        let found = balance(&mut model, &with(&scene, "hot.emissivity", own));
+        assert_close(of(&found, "inner").flow, flow(own, 0.2, 500.0), 1e-10);
+    }
+    for kelvin in [10.0, 299.0, 5000.0] {
+        let found = balance(&mut model, &with(&scene, "inner.temperature", kelvin));
+        assert_close(of(&found, "outer").flow, -flow(0.8, 0.2, kelvin), 1e-10);
+    }
+    let given = flow(0.8, 0.2, 450.0);
+    let found = balance(&mut model, &with(&scene, "hot.heat_flux", given / area));
+    assert_close(of(&found, "inner").temperature, 450.0, 1e-10);
+}
+
+/// Figures of a surface, and by how much they may be off.
+fn figures(own: &SurfaceHeat) -> [f64; 4] {
+    [own.temperature, own.flow, own.temperature_error, own.flow_error]
+}
+
+/// Rules do not depend on what surfaces reflect, and all elements of the oven are cut once more.
+#[test]
+fn a_kept_oven_tells_what_it_tells_alone_with_the_same_errors() {
+    let oven = builtin("oven");
+    let options = HeatOptions::default();
+    let mut model = kept(&oven, &options.options);
+    let changes = [
+        ("brick.emissivity", 0.2),
+        ("panel.temperature", 1700.0),
+        ("slab.heat_flux", -3e4),
+        ("wall-*.heat_flux", 50.0),
+    ];
+    for (setting, value) in changes {
+        let scene = with(&oven, setting, value);
+        let alone = Heat::of(&scene, &options, &Work::alone()).unwrap_or_else(|error| panic!("{error}"));
+        let found = balance(&mut model, &scene);
+        assert!(alone.is_cut && found.is_cut);
+        let largest = alone.surfaces.iter().map(|own| own.flow.abs()).fold(0.0, f64::max);
+        for (own, other) in found.surfaces.iter().zip(&alone.surfaces) {
+            for (figure, expected) in figures(own).into_iter().zip(figures(other)) {
+                let room = 1e-9 * expected.abs().max(largest);
+                assert!((figure - expected).abs() <= room, "{setting}: {own:?} for {other:?}");
+            }
+        }
+    }
+}
+
+/// Plates a fiftieth of their size apart, of which even fluxes tell nearly a tenth too much.
+#[test]
+fn a_check_of_one_balance_makes_the_errors_of_others_as_many_times_larger() {
+    let plates = typed(
+        r#"
+        materials.body = { emissivity = 0.8, temperature = 293.15 }
+        materials.foil = { emissivity = 0.05, temperature = 143 }
+        [[surfaces]]
+        name = "body"
+        material = "body"
+        quad = { vertices = [[0,0,0],[1,0,0],[1,1,0],[0,1,0]] }
+        [[surfaces]]
+        name = "foil"
+        material = "foil"
+        quad = { vertices = [[0,0,0.02],[0,1,0.02],[1,1,0.02],[1,0,0.02]] }
+        "#,
+    );
+    let options = Options { order: 0, ..HeatOptions::default().options };
+    let (mut model, mut first) =
+        HeatModel::of(&plates, &options, &Work::alone()).unwrap_or_else(|error| panic!("{error}"));
+    let before = first.surfaces.clone();
+    let surfaces = first.to_check(&plates, 8);
+    let effort = Effort::of_walks(100_000.0);
+    first.check(&plates, &surfaces, &effort, &Work::alone()).unwrap_or_else(|fault| panic!("{fault}"));
+    let hotter = with(&plates, "body.temperature", 350.0);
+    let [plain, mut found] = [0, 1].map(|_| balance(&mut model, &hotter));
+    found.check_like(&first);
+    let mut has_grown = false;
+    for (surface, own) in found.surfaces.iter().enumerate() {
+        let growth = first.surfaces[surface].flow_error / before[surface].flow_error;
+        has_grown |= growth > 1.0;
+        assert_close(own.flow_error, growth * plain.surfaces[surface].flow_error, 1e-12);
+    }
+    assert!(has_grown, "even fluxes are off by more than they tell: {:?}", first.checked);
+}
+
+/// The ends of a range are values of a sweep.
+#[test]
+fn sweeps_are_read_or_told_with_what_is_expected() {
+    let sweep: HeatSweep = "a.b.emissivity=0.9..0.3/3".parse().expect("it is a sweep");
+    assert_eq!(sweep.setting().to_string(), "a.b.emissivity");
+    assert_eq!((sweep.values()[0], sweep.values()[2]), (0.9, 0.3));
+    assert_close(sweep.values()[1], 0.6, 1e-15);
+    let sweep: HeatSweep = "a.temperature=-1e2..3e2/2".parse().expect("it is a sweep");
+    assert_eq!(sweep.values(), [-100.0, 300.0]);
+    for text in ["a", "a.emissivity", "a.emissivity=1..2", "a.emissivity=1/3", "a.emissivity=x..2/3"] {
+        let told = text.parse::<HeatSweep>().expect_err(text);
+        assert!(told.contains("panel.emissivity=0.1..0.9/17"), "{told}");
+    }
+    let told = "a.emissivity=0..1/1".parse::<HeatSweep>().expect_err("one point is no sweep");
+    assert!(told.contains("from 2 to"), "{told}");
+    let told = "a.emisivity=0..1/9".parse::<HeatSweep>().expect_err("the key is misspelt");
+    assert!(told.contains("emisivity") && told.contains("did you mean"), "{told}");
+}
+
+#[test]
+fn what_does_not_fit_the_scene_is_refused_with_a_cure() {
+    let fault = |text: &str| HeatSetting::named(text).expect_err("it is no setting");
+    assert_eq!(fault("brick.reflectance").kind, FaultKind::UnknownKey);
+    assert!(fault("brick").cure().is_some_and(|cure| cure.contains("temperature, heat_flux, emissivity")));
+    let cube = typed(CUBE);
+    let refused = |setting: &str, value: f64| {
+        let setting = HeatSetting::named(setting).unwrap_or_else(|fault| panic!("{fault}"));
+        cube.with_heat(&setting, value).expect_err("it does not fit")
+    };
+    let unknown = refused("flor.temperature", 300.0);
+    assert!(unknown.cure().is_some_and(|cure| cure.contains("did you mean \"floor\"?")), "{unknown}");
+    assert!(refused("floor.temperature", -20.0).cure().is_some_and(|cure| cure.contains("273.15")));
+    assert_eq!(refused("brick.emissivity", 0.0).fault.kind, FaultKind::OutOfRange);
+    let shared = typed(&CUBE.replace("name = \"floor\"", "name = \"brick\""));
+    let setting = HeatSetting::named("brick.emissivity").unwrap_or_else(|fault| panic!("{fault}"));
+    let both = shared.with_heat(&setting, 0.5).expect_err("other surfaces have that material");
+    assert_eq!(both.fault.kind, FaultKind::Conflict);
+    let mut model = kept(&cube, &HeatOptions::default().options);
+    let other = model.balance(&builtin("oven"), &Work::alone()).expect_err("it is another scene");
+    assert!(matches!(other, HeatError::Solve(Failure::OtherSurface { .. })), "{other}");
+}
