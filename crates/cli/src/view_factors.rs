@@ -298,7 +298,7 @@ impl ViewFactorsArgs {
 
     /// Lines on row sums.
     fn sums(&self, scene: &Scene, factors: &ViewFactors) -> Vec<String> {
-        let sums = RowSums::of(scene, factors, self.transfers.request.accuracy());
+        let sums = RowSums::of(scene, factors, &self.transfers.request.factors());
         let [range, closed] = sums.lines();
         let warning = sums.warning().map(|warning| warning.to_string());
         [range, closed].into_iter().chain(warning).collect()

@@ -7,7 +7,7 @@ use std::ops::{Deref, Range};
 const HIDDEN: &str = "…";
 
 /// Words of a note, without a full stop; names and words that a file says in it are marked, and can be hidden.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq, Eq, Hash)]
 pub struct NoteText {
     text: String,
     /// Bytes of the text that a file says, in their order.
