@@ -10,7 +10,7 @@
 //! [`mesh`] (what readers share); the readers, `mgf` to `vs3`, three with a writer; `read` and `write` (any of them); `materials`, `unit`
 //! and `up` (what a file does not state); `fronts` and [`repair`].
 //!
-//! Imports `geom`, `fit` and `photometry`.
+//! Imports `geom`, `work`, `fit` and `photometry`.
 
 pub mod tolerances;
 pub mod model;

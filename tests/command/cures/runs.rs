@@ -23,7 +23,7 @@ pub(super) const ROWS: &[Typed] = &[
     },
     Typed {
         bad: "solve room.toml --solver jacobi --max-iterations 1 --keep-partial",
-        cured: "solve room.toml --solver lu --keep-partial",
+        cured: "solve room.toml --solver lu --max-iterations 1 --keep-partial",
         told: &["the solver did not converge", "or take another --solver"],
     },
     Typed {
@@ -37,28 +37,33 @@ pub(super) const ROWS: &[Typed] = &[
         told: &["the scene chooses pairs for shadow masks", "which have no effect without --shadows mask"],
     },
     Typed {
-        bad: "solve cube.toml --accuracy 1e-1 --solver jacobi --max-iterations 1 --keep-partial",
-        cured: "solve room.toml --accuracy 1e-1 --solver jacobi",
+        bad: "solve room.toml --accuracy 1e-1 --solver jacobi --max-iterations 1 --keep-partial --audit 0.001",
+        cured: "solve room.toml --accuracy 1e-1 --solver jacobi --max-iterations 99 --keep-partial --audit 0.001",
         told: &["the solver did not converge in a finer run: raise --max-iterations"],
     },
     Typed {
-        bad: "solve cube.toml --accuracy 1e-1 --solver jacobi --max-iterations 1 --keep-partial",
-        cured: "solve room.toml --accuracy 1e-1",
+        bad: "solve room.toml --accuracy 1e-1 --solver jacobi --max-iterations 1 --keep-partial --audit 0.001",
+        cured: "solve room.toml --accuracy 1e-1 --solver lu --max-iterations 1 --keep-partial --audit 0.001",
         told: &["the solver did not converge in a finer run", "or take another --solver"],
     },
     Typed {
-        bad: "solve room.toml --transport sampled --rays 1 --accuracy 1e-1",
-        cured: "solve room.toml --accuracy 1e-1",
+        bad: "solve room.toml --transport sampled --rays 1 --audit 0.001",
+        cured: "solve room.toml --transport sampled --rays 1 --accuracy 1e-1 --audit 0.001",
         told: &["rays leave an error of about", "or ask for an --accuracy"],
     },
     Typed {
+        bad: "solve room.toml --transport sampled --rays 1 --audit 0.001",
+        cured: "solve room.toml --transport sampled --rays 9999 --audit 0.001",
+        told: &["rays leave an error of about", "send more with --rays"],
+    },
+    Typed {
         bad: "solve room.toml --solver jacobi --max-iterations 1",
-        cured: "solve room.toml --solver jacobi --max-iterations 99 --keep-partial",
+        cured: "solve room.toml --solver jacobi --max-iterations 99",
         told: &["raise --tolerance or --max-iterations"],
     },
     Typed {
         bad: "solve room.toml --solver jacobi --max-iterations 1",
-        cured: "solve room.toml --solver lu --keep-partial",
+        cured: "solve room.toml --solver lu --max-iterations 1",
         told: &["or take another --solver; solve --keep-partial writes what there is"],
     },
     Typed {
@@ -68,32 +73,44 @@ pub(super) const ROWS: &[Typed] = &[
     },
     Typed {
         bad: "solve mirror.toml --shadows off --eps 1e-1 --order 5",
-        cured: "solve mirror.toml --shadows off --eps 1e-8 --order 2",
+        cured: "solve mirror.toml --shadows off --eps 1e-8 --order 5",
         told: &["the spectral radius is about", "quadrature is too coarse for so little loss; lower --eps"],
     },
     Typed {
         bad: "solve mirror.toml --shadows off --eps 1e-1 --order 5",
-        cured: "solve mirror.toml --shadows off --eps 1e-8 --order 2",
+        cured: "solve mirror.toml --shadows off --eps 1e-8 --order 5",
         told: &["the error of the transfers counts once for every reflection: lower --eps"],
     },
     Typed {
-        bad: "solve mirror.toml --shadows mask --order 2",
-        cured: "solve mirror.toml --shadows off --eps 1e-8 --order 2",
-        told: &["what masks err by counts once for every reflection", "or leave --shadows mask out"],
+        bad: "solve mirror.toml --eps 1e-1 --order 5 --audit 0.001",
+        cured: "solve mirror.toml --eps 1e-8 --order 5 --audit 0.001",
+        told: &[
+            "the error of the transfers counts once for every reflection: lower --eps, or send more --rays",
+        ],
     },
     Typed {
-        bad: "solve mirror.toml --shadows off --method collocation",
-        cured: "solve mirror.toml --shadows off --eps 1e-8 --order 2",
+        bad: "solve mirror.toml --shadows mask --order 2",
+        cured: "solve mirror.toml --shadows mask --order 2 --eps 1e-8",
+        told: &["what masks and transfers err by counts once for every reflection: lower --eps"],
+    },
+    Typed {
+        bad: "solve unsettled.toml --shadows mask --subdivide 1 --order 0",
+        cured: "solve finer.toml --shadows mask --subdivide 1 --order 0",
+        told: &["take more --mask-cells, or more cells in [[masks]] that state them"],
+    },
+    Typed {
+        bad: "solve mirror.toml --shadows off --eps 4e-6 --order 2 --method collocation",
+        cured: "solve mirror.toml --shadows off --eps 4e-6 --order 2",
         told: &["leave --method collocation out, or take a higher --order"],
     },
     Typed {
-        bad: "solve mirror.toml --shadows off --kernel paper-legendre --order 1",
-        cured: "solve mirror.toml --shadows off --eps 1e-8 --order 2",
+        bad: "solve mirror.toml --shadows off --eps 1e-8 --order 1 --kernel paper-legendre",
+        cured: "solve mirror.toml --shadows off --eps 1e-8 --order 1",
         told: &["the spectral radius is about", "choose the default kernel"],
     },
     Typed {
-        bad: "solve mirror.toml --shadows off --kernel paper-legendre --order 1",
-        cured: "solve mirror.toml --shadows off --eps 1e-8 --order 2",
+        bad: "solve mirror.toml --shadows off --eps 1e-8 --order 1 --kernel paper-legendre",
+        cured: "solve mirror.toml --shadows off --eps 1e-8 --order 1",
         told: &["more than it has: its transfers miss the accuracy asked; choose the default kernel"],
     },
     Typed {

@@ -111,6 +111,7 @@ pub(super) const UNTRIED: &[Untried] = &[
     Untried { words: "rays cannot do better", why: Why::Long },
     Untried { words: " below 1e-5 sends no more", why: Why::Long },
     Untried { words: "begin with a higher ", why: Why::Long },
+    Untried { words: ", or a smaller ", why: Why::Errors },
     Untried { words: "look for surfaces that pass through each other", why: Why::Errors },
     Untried { words: "subdivide these surfaces, or ask for less", why: Why::Errors },
     Untried { words: "rays leave an unknown error", why: Why::Errors },

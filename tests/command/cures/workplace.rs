@@ -264,6 +264,7 @@ fn scenes() -> Vec<(&'static str, String)> {
         ("beam-cut.toml", with(&beam, "box =", "subdivide = [4, 4]\nbox =")),
         ("torch.toml", format!("{dim}{TORCH}")),
         ("unsettled.toml", SHELF.to_owned()),
+        ("finer.toml", with(SHELF, "cells = 1", "cells = 3")),
         ("settled.toml", with(SHELF, "emitter = \"*\"", "emitter = \"lamp\"")),
         ("gap.toml", GAP.to_owned()),
         ("hung.toml", ROOM.to_owned()),

@@ -25,7 +25,8 @@ pub(super) fn warnings(solved: &Solved) -> Vec<Warning> {
     let is_short = !outcome.converged && options.shots.is_none();
     let unconverged = is_short.then(|| unconverged(outcome));
     let adapted = achieved.iter().flat_map(|achieved| adaptation(scene, options, achieved));
-    let transfers = discretization(scene, options, outcome);
+    let is_reached = achieved.is_some_and(|achieved| achieved.reached());
+    let transfers = discretization(scene, options, outcome, is_reached);
     unconverged
         .into_iter()
         .chain(partial(options, outcome))
@@ -116,8 +117,10 @@ fn cure_of_power(options: &Options, outcome: &Outcome) -> Wording {
     let is_direct = checks.energy_lost.abs() > BEYOND * missed * carried;
     if options.masks.is_some() {
         return words(
-            "where surfaces reflect nearly all light, what masks err by counts once for every reflection: take more ",
-        ) + option("mask-cells")
+            "where surfaces reflect nearly all light, what masks and transfers err by counts once for every reflection: lower ",
+        ) + option("eps")
+            + ", take more "
+            + option("mask-cells")
             + ", or more cells in [[masks]] that state them, or leave "
             + set("shadows", "mask")
             + " out";
@@ -286,10 +289,10 @@ fn rays(error: Option<f64>) -> Option<Warning> {
 }
 
 /// Warnings about what elements and transfers worst.
-fn discretization(scene: &Scene, options: &Options, outcome: &Outcome) -> Vec<Warning> {
+fn discretization(scene: &Scene, options: &Options, outcome: &Outcome, is_reached: bool) -> Vec<Warning> {
     if let Some(sampling) = outcome.sampling {
-        // What exact pairs miss is a part of it.
-        return rays(sampling.error).into_iter().collect();
+        // What exact pairs miss is a part of it; light of the accuracy that was asked for is fine as it is.
+        return rays(sampling.error).filter(|_| !is_reached).into_iter().collect();
     }
     let worst = outcome.worst_error.filter(WorstError::is_real);
     let warnings = [
