@@ -50,7 +50,7 @@ mod tests {
     /// Accuracies of 1 and above are refused, and none is advised.
     #[test]
     fn no_accuracy_is_advised_that_is_refused() {
-        for (error, is_advised) in [(0.3, true), (0.49, true), (0.5, false), (1.0, false)] {
+        for (error, is_advised) in [(0.3, true), (0.47, true), (0.49, false), (1.0, false)] {
             let worst = WorstError { pair: [0, 1], error, asked: 1e-3, by_rays: true };
             let told = missed(&worst, ["floor", "ball"]).to_string();
             assert!(told.contains("a smaller --eps sends more rays"), "{told}");

@@ -69,7 +69,7 @@ const fn family(beginning: &'static str, may_be_required: bool, loss: Loss) -> K
 }
 
 /// The extensions that are known, single ones before families.
-const KNOWN: &[Known] = &[
+static KNOWN: &[Known] = &[
     known("KHR_materials_emissive_strength", true, Loss::Nothing),
     known("KHR_materials_pbrSpecularGlossiness", true, Loss::Nothing),
     known("KHR_lights_punctual", true, Loss::Nothing),

@@ -69,8 +69,8 @@ pub(super) const ROWS: &[Typed] = &[
         told: &["scene and points cannot both come from standard input", "help: save one of them to a file"],
     },
     Typed {
-        bad: "solve room.toml --accuracy 1e-1 --for points - --checkpoint kept",
-        cured: "solve room.toml --accuracy 1e-1 --for points points.csv --checkpoint kept",
+        bad: "solve room.toml --accuracy 1e-1 --for points - --checkpoint points",
+        cured: "solve room.toml --accuracy 1e-1 --for points points.csv --checkpoint points",
         told: &[
             "--checkpoint: points from standard input cannot be told from others",
             "help: save them to a file, and give its path",
