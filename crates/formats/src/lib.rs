@@ -4,11 +4,11 @@
 //! Flow: bytes → [`read`] → `Model` → [`repair`] → a scene of `radiosity`, or text of another format
 //! (`write`). Files of luminaires are read by `photometry`.
 //!
-//! In order: [`tolerances`], [`model`], `names` and `colour` (what readers
-//! make); [`format`](mod@format) (which there are); [`picture`] (PNG and OpenEXR → numbers of texels);
-//! `lines`, `scalar`, `budget`, `includes`, `xform`, `merge`, `face_normals`, `opposed_faces`, `builder` and
-//! [`mesh`] (what readers share); the readers, `mgf` to `vs3`, three with a writer; `read` and `write` (any of them); `materials`, `unit`
-//! and `up` (what a file does not state); `fronts` and [`repair`].
+//! In order: [`tolerances`], [`model`], `names` and `colour` (what readers make); [`format`](mod@format)
+//! (which there are); [`picture`] (PNG and OpenEXR → numbers of texels); `lines`, `scalar`, `budget`,
+//! `includes`, `xform`, `merge`, `face_normals`, `opposed_faces`, `builder` and [`mesh`] (what readers
+//! share); the readers, `mgf` to `vs3`, three with a writer; `read` and `write` (any of them); `materials`,
+//! `unit` and `up` (what a file does not state); `fronts` and [`repair`].
 //!
 //! Imports `geom`, `work`, `fit` and `photometry`.
 

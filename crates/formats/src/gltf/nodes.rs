@@ -30,7 +30,7 @@ pub(super) struct Nodes<'a, 'b> {
     accessors: Accessors<'a, 'b>,
     mesh: &'b mut Mesh,
     names: UniqueNames,
-    /// What surfaces have of each material.
+    /// Sides and losses of each material.
     finishes: Vec<Finish>,
     /// The meshes that were parsed, by index.
     meshes: HashMap<usize, Rc<Parts>>,

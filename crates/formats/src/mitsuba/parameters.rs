@@ -50,7 +50,8 @@ impl Parameters {
         Ok(())
     }
 
-    /// `text` with the values of its parameters, the files of which are added to `sources`. Of several names that fit behind a `$` the longest counts;
+    /// `text` with the values of its parameters, the files of which are added to `sources`. Of several names that
+    /// fit behind a `$` the longest counts;
     /// `\$` is a `$`.
     ///
     /// # Errors

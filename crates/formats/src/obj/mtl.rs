@@ -32,9 +32,9 @@ enum Illumination {
     /// Whatever the other statements say.
     #[default]
     Stated,
-    /// That of matte surfaces alone: `Ks` does not apply.
+    /// Matte surfaces: `Ks` does not apply.
     Matte,
-    /// That of mirrors, stated in this line.
+    /// Mirrors, stated in this line.
     Mirror(usize),
 }
 

@@ -378,7 +378,7 @@ fn notes_have_the_file_of_their_line() {
     }
 }
 
-/// What is stated and adds nothing, and what no surface has, is not left out.
+/// Statements that add nothing, and materials that no surface has, leave nothing out.
 #[test]
 fn what_adds_nothing_is_not_named() {
     let files = Memory::of([
@@ -468,7 +468,7 @@ fn extensions_are_named_wherever_they_are_used() {
     }
 }
 
-/// What reflects as a mirror by specular glossiness is taken off what reflects diffusely, as the extension states it.
+/// The mirror part of specular glossiness is taken off the diffuse part, as the extension states it.
 #[test]
 fn specular_glossiness_leaves_the_rest_to_diffuse_reflection() {
     let with = |members: &str| {

@@ -239,7 +239,7 @@ fn why(scene: &Scene, options: &Options, end: EndReason) -> Option<Wording> {
     })
 }
 
-/// What helps where the finest run misses the accuracy: a higher order does where surfaces take it, and where neither
+/// Advice where the finest run misses the accuracy: a higher order helps where surfaces take it, and where neither
 /// rays nor links carry the light.
 fn cure_of_finest(scene: &Scene, options: &Options) -> Wording {
     if options.method == LightMethod::Hierarchical || options.rays.is_some() {
@@ -333,7 +333,7 @@ fn row_sum(options: &Options, outcome: &Outcome) -> Option<Warning> {
     (excess > allowed).then(|| Warning::general("row-sum", message() + cure(options, usual())))
 }
 
-/// What helps where elements see what others hide from them.
+/// Advice where elements see what others hide from them.
 fn sees_through() -> Wording {
     words("lower ")
         + option("eps")
