@@ -127,7 +127,7 @@ fn factors(
             })?,
             None => CheckedFactors::unjudged(&factors),
         };
-        let sums = || RowSums::of(scene, &factors, request.accuracy());
+        let sums = || RowSums::of(scene, &factors, &options);
         let sums = pairs.is_empty().then(|| in_threads(options.threads, sums)).transpose()?;
         Ok::<_, Failure>((factors, told, sums))
     })?;

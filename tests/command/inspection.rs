@@ -275,7 +275,7 @@ fn long_lists_are_shortened_as_text_and_whole_as_json() {
         String::from_utf8(output.unwrap().stdout).unwrap()
     };
     let text = run(&["check", "fan.toml"]);
-    assert!(text.contains("leaf-19, leaf-20 and 9 others\n"), "{text}");
+    assert!(text.contains("leaf-19, leaf-20 and 9 more\n"), "{text}");
     assert!(
         text.contains("warning: 10 more of the kind \"no-material\": --format json names them all"),
         "{text}"
@@ -321,4 +321,20 @@ fn materials_that_no_surface_has_are_named() {
     assert_eq!(found["unused_materials"], serde_json::json!(["odd", "spare"]));
     let [_, told] = crate::program::done(folder.path(), &["solve", "a.toml", "-o", "a.json"]);
     assert!(!told.contains("spare"), "{told}");
+}
+
+/// Materials that no surface has are a list like others: a screen of them as text, all of them as JSON.
+#[test]
+fn many_unused_materials_are_cut() {
+    let unused: String = (0..30).map(|k| format!("[materials.unused-{k:02}]\nreflectance = 0.5\n")).collect();
+    let floor = "[[surfaces]]\nname = \"floor\"\nmaterial = \"white\"\nquad = { vertices = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]] }\n";
+    let scene = format!("[materials.white]\nreflectance = 0.5\nemission = 1\n{unused}{floor}");
+    let folder = radiosity_test_support::folders::folder(&[("room.toml", &scene)]);
+    let [text, _] = crate::program::done(folder.path(), &["check", "room.toml"]);
+    let told = "materials that no surface has: unused-00, unused-01, ";
+    assert!(text.contains(told) && text.contains("unused-19 and 10 more\n"), "{text}");
+    let [json, _] = crate::program::done(folder.path(), &["check", "room.toml", "--format", "json"]);
+    let found: serde_json::Value = serde_json::from_str(&json).expect("JSON");
+    assert_eq!(found["unused_materials"].as_array().map(Vec::len), Some(30));
+    assert_eq!(found["read_outside"], serde_json::json!([]));
 }

@@ -231,3 +231,145 @@ fn reports_list_the_files_outside() {
     let report: serde_json::Value = serde_json::from_str(&report).expect("JSON");
     assert_eq!(report["read_outside"], serde_json::json!(["../lib/a.toml"]));
 }
+
+/// A scene whose part stands outside, with names of that part and with own ones.
+fn with_part(secret: &str) -> (String, String) {
+    let lib = format!(
+        "[materials.{secret}_m]\nreflectance = 0.5\nemission = 1\n\
+         [[surfaces]]\nname = \"{secret}_s\"\nmaterial = \"{secret}_m\"\ntwo_sided = true\n\
+         parallelogram = {{ origin = [0, 0, 2], edge1 = [0, 1, 0], edge2 = [1, 0, 0] }}\n\
+         [[surfaces]]\nname = \"{secret}_box\"\nmaterial = \"{secret}_m\"\n\
+         box = {{ origin = [5, 5, 5], size = [1, 1, 1] }}\n\
+         [[luminaires]]\nname = \"{secret}_l\"\nposition = [0.5, 0.5, 1.5]\naim = [0, 0, -1]\nextent = [0.1, 0.1]\n\
+         spot = {{ exponent = 1 }}\nflux = 1\n"
+    );
+    let seat = "[[parts.chair.surfaces]]\nname = \"seat\"\nmaterial = \"white\"\n\
+                parallelogram = { origin = [0, 0, 0.5], edge1 = [0.1, 0, 0], edge2 = [0, 0.1, 0] }\n\
+                [[instances]]\nname = \"row\"\npart = \"chair\"\narray = { count = 2, step = [0.3, 0, 0] }\n";
+    let scene = format!(
+        "include = \"../lib/a.toml\"\n[materials.white]\nreflectance = 0.5\nemission = 1\ngroup = \"sun\"\n\
+         [planes.desk]\norigin = [0, 0, 1]\nedges = [[1, 0, 0], [0, 1, 0]]\nspacing = 0.5\n\
+         {FLOOR}name = \"lit\"\ntwo_sided = true\n{seat}"
+    );
+    (scene, lib)
+}
+
+/// Own names that a scene makes are listed, and those that it makes of what stands outside are not.
+#[test]
+fn names_that_scenes_make_are_listed_by_what_they_are_made_of() {
+    let secret = SECRET.replace('-', "_");
+    let (scene, lib) = with_part(&secret);
+    let house = house("a.toml", &scene, "../lib/a.toml", lib.as_bytes());
+    let room = house.path().join("room");
+    for (typed, meant) in [
+        ("lit:bac", "lit:back"),
+        ("row[1].seet", "row[1].seat"),
+        (&format!("{secret}_s:bac")[..], ""),
+        (&format!("{secret}_box-to")[..], ""),
+        (&format!("{secret}_")[..], ""),
+    ] {
+        let told = told(&room, &["view-factors", "a.toml", "--pairs", &format!("lit,{typed}")]);
+        let listed = told.replace(&format!("{typed:?}"), "");
+        assert!(!listed.contains(&secret), "{typed}: {told}");
+        assert!(listed.contains("outside its folder: lit, lit:back, row[0].seat, row[1].seat"), "{told}");
+        assert!(meant.is_empty() || told.contains(&format!("did you mean {meant:?}?")), "{told}");
+    }
+}
+
+/// A solution keeps which files were outside.
+#[test]
+fn solutions_show_no_word_of_files_outside() {
+    let secret = SECRET.replace('-', "_");
+    let (scene, lib) = with_part(&secret);
+    let lib = format!(
+        "{lib}[planes.{secret}_p]\norigin = [0, 0, 1]\nedges = [[1, 0, 0], [0, 1, 0]]\nspacing = 0.5\n"
+    );
+    let house = house("a.toml", &scene, "../lib/a.toml", lib.as_bytes());
+    let room = house.path().join("room");
+    done(&room, &["solve", "a.toml", "-o", "a.json", "--order", "0", "--eps", "1e-1", "--audit", "0.001"]);
+    for args in [
+        &["probe", "a.json", "--plane", "hidden_from_scenes"][..],
+        &["relight", "a.json", "--set", "snu=1", "-o", "b.json"],
+    ] {
+        let told = told(&room, args);
+        assert!(!told.replace("\"hidden_from_scenes\"", "").contains(&secret), "{args:?}: {told}");
+        assert!(told.contains("help: "), "{told}");
+    }
+    done(
+        &room,
+        &["probe", "a.json", "--plane", "desk", "--report", "r.json", "-o", "p.csv", "--audit", "0.001"],
+    );
+    let report = std::fs::read_to_string(room.join("r.json")).expect("a report");
+    let report: serde_json::Value = serde_json::from_str(&report).expect("JSON");
+    assert_eq!(report["read_outside"], serde_json::json!(["../lib/a.toml"]));
+}
+
+/// The text of a scene of another program holds what all its files say: no names of it are listed, and its solution
+/// keeps that.
+#[test]
+fn imports_list_no_names_where_files_are_outside() {
+    let lib = format!("void light lamp 0 0 3 1 1 1\nlamp sphere {SECRET} 0 0 4 0 0 2 0.5\n");
+    let scene =
+        "void plastic white 0 0 5 0.7 0.7 0.7 0 0\nwhite sphere ball 0 0 4 0 0 0 0.5\n!xform ../lib/a.rad\n";
+    let house = house("a.rad", scene, "../lib/a.rad", lib.as_bytes());
+    let room = house.path().join("room");
+    let told = told(&room, &["view-factors", "a.rad", "--pairs", "ball,hidden-from-scene"]);
+    assert!(told.contains("names are not listed") && !told.contains(SECRET), "{told}");
+    done(&room, &["solve", "a.rad", "-o", "a.json", "--order", "0", "--eps", "1e-1", "--audit", "0.001"]);
+    done(&room, &["render", "a.json", "-o", "p.png", "--size", "8x8", "--report", "r.json"]);
+    let report = std::fs::read_to_string(room.join("r.json")).expect("a report");
+    let report: serde_json::Value = serde_json::from_str(&report).expect("JSON");
+    assert_eq!(report["read_outside"], serde_json::json!(["../lib/a.rad"]));
+}
+
+/// Values that a file outside gives to parameters are not quoted where they stand.
+#[test]
+fn parameters_of_files_outside_are_not_quoted() {
+    let part = format!("<scene version=\"3.0.0\"><default name=\"size\" value=\"{SECRET}\"/></scene>");
+    let include = "<scene version=\"3.0.0\"><include filename=\"../lib/a.xml\"/>";
+    for inner in [
+        "<shape type=\"sphere\"><float name=\"radius\" value=\"$size\"/></shape>",
+        "<shape type=\"$size\"/>",
+        "<default name=\"again\" value=\"a $size\"/><shape type=\"sphere\"><float name=\"radius\" value=\"$again\"/></shape>",
+        "<include filename=\"$size\"/>",
+        "<shape type=\"ply\"><string name=\"filename\" value=\"$size\"/></shape>",
+        "<shape type=\"disk\"><ref id=\"$size\"/></shape>",
+    ] {
+        let house = house("a.xml", &format!("{include}{inner}</scene>"), "../lib/a.xml", part.as_bytes());
+        let told = told(&house.path().join("room"), &["check", "a.xml"]);
+        assert!(!told.contains(SECRET), "{inner}: {told}");
+        let is_known = inner.contains("type=\"$size\"");
+        assert!(told.contains("which is not shown") != is_known, "{inner}: {told}");
+    }
+    // Own values are.
+    let own = "<scene version=\"3.0.0\"><include filename=\"../lib/a.xml\"/><default name=\"own\" value=\"big\"/>\
+               <shape type=\"sphere\"><float name=\"radius\" value=\"$own\"/></shape></scene>";
+    let house = house("a.xml", own, "../lib/a.xml", part.as_bytes());
+    assert!(told(&house.path().join("room"), &["check", "a.xml"]).contains("'big'"));
+}
+
+/// Repairs and their refusals name no surface where a file outside is read, nor do files of materials.
+#[test]
+fn repairs_show_no_word_of_files_outside() {
+    let lib = format!(
+        "void plastic {SECRET}-m 0 0 5 0.7 0.7 0.7 0 0\n{SECRET}-m polygon {SECRET}-p 0 0 9 0 0 0 1 0 0 2 0 0\n\
+         {SECRET}-m sphere {SECRET}-s 0 0 4 0 0 2 0.5\n"
+    );
+    let house = house("a.rad", "!xform ../lib/a.rad\n", "../lib/a.rad", lib.as_bytes());
+    let room = house.path().join("room");
+    std::fs::write(room.join("m.toml"), "[materials.far]\nreflectance = 0.5\n").expect("it can be written");
+    std::fs::write(room.join("n.toml"), "[materials.\"hidden-from-scene\"]\nreflectance = 0.5\n")
+        .expect("it can");
+    let [summary, _] = done(&room, &["check", "a.rad", "--format", "json"]);
+    let found: serde_json::Value = serde_json::from_str(&summary).expect("JSON");
+    let remarks = found["imported"]["remarks"].to_string();
+    assert!(remarks.contains("… has no area; it was removed") && !remarks.contains(SECRET), "{remarks}");
+    for args in [
+        &["solve", "a.rad", "--strict"][..],
+        &["check", "a.rad", "--materials", "m.toml"],
+        &["check", "a.rad", "--materials", "n.toml"],
+    ] {
+        let told = told(&room, args);
+        assert!(told.contains("help: ") && !told.contains(SECRET), "{args:?}: {told}");
+    }
+}

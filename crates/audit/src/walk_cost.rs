@@ -74,6 +74,11 @@ impl WalkCost {
         Self { seconds: deeper * bent * longer / WALKS_A_SECOND, is_endless: absorbed < LEAST }
     }
 
+    /// Whether walks end before they are caught, for the most part.
+    pub fn ends(&self) -> bool {
+        !self.is_endless
+    }
+
     /// Walks of so many seconds.
     pub(crate) fn walks(&self, seconds: f64) -> f64 {
         seconds / self.seconds

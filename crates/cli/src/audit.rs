@@ -192,6 +192,9 @@ impl AuditArgs {
             ));
         }
         let loaded = loaded.required()?;
+        if !WalkCost::of_light(loaded.scene()).ends() {
+            return Err(too_few(0));
+        }
         let RunArgs { method, report, .. } = &self.run;
         let ranks = &self.run.recording(given, &loaded.inputs(), None, ranks)?;
         require_all_light(method, "the referee judges all light", |name| words("leave out ") + option(name))?;
@@ -206,7 +209,9 @@ impl AuditArgs {
         let referee = Referee::of_light(&run.solved.scene);
         let judge = || JudgedRun::of(&run.solved, &reading, &referee, &judging, &run.work());
         let judged = run.in_threads(|| run.work().during(Stage::Referee, judge))?;
-        require_readings(&judged)?;
+        if judged.readings.len() < FEWEST {
+            return Err(too_few(judged.readings.len()));
+        }
         outlet.write(&output::light::judgement(&run.solved.scene, &judging, &judged), self, ranks)?;
         if let Some(picture) = &picture {
             let taken = run.in_threads(|| picture.take(&run.solved, &judged, ranks))?;
@@ -314,13 +319,16 @@ impl AuditArgs {
     }
 }
 
-/// Refuses a verdict on too few readings.
-fn require_readings(judged: &JudgedRun) -> Result<(), CliError> {
-    match judged.readings.len() {
-        0 | 1 => Err(CliError::refused(
-            format!("{} places can be read, too few to be judged", judged.readings.len()),
-            "ask for more --readings, or take --read gather",
-        )),
-        _ => Ok(()),
-    }
+/// Fewest readings that make a verdict.
+const FEWEST: usize = 2;
+
+/// Refuses a verdict on so few readings.
+fn too_few(readings: usize) -> CliError {
+    CliError::refused(
+        format!(
+            "walks of path tracing end at {readings} places, too few for a verdict: light goes on where surfaces \
+             reflect nearly all of it"
+        ),
+        "give the materials there a lower reflectance",
+    )
 }

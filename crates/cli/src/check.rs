@@ -14,6 +14,7 @@ use radiosity_visibility::footprints::Footprint;
 use radiosity_visibility::inspection::{
     Fronts, Inspection, NearPoint, Passage, Shell, SurfaceContact, Warning,
 };
+use radiosity_work::listed::{LONG, listed};
 use radiosity_work::ranks::Ranks;
 use serde_json::{Value, json};
 
@@ -30,9 +31,6 @@ pub(crate) struct CheckArgs {
     #[arg(long, value_name = "FORMAT", default_value = "text")]
     pub(crate) format: Format,
 }
-
-/// So many names, or warnings of a kind, are written as text, a screen of them; JSON names all.
-const LISTED: usize = 20;
 
 /// Form of the findings.
 #[derive(Clone, Copy, Debug, ValueEnum)]
@@ -71,13 +69,13 @@ fn lines(scene: &Scene, inspection: &Inspection) -> Vec<String> {
     let openings = scene.surfaces.iter().filter(|surface| surface.is_opening());
     let openings: Vec<&str> = openings.map(|surface| surface.name.as_str()).collect();
     if !openings.is_empty() {
-        lines.push(format!("openings to the sky: {}", listed(&openings)));
+        lines.push(format!("openings to the sky: {}", listed(&openings, LONG)));
     }
     if !scene.luminaires.is_empty() {
         lines.push(luminaire_table(scene).to_string());
     }
-    lines.extend(near_points.iter().take(LISTED).map(|near| format!("as a point: {}", near_line(near))));
-    if let Some(rest) = near_points.len().checked_sub(LISTED).filter(|rest| *rest > 0) {
+    lines.extend(near_points.iter().take(LONG).map(|near| format!("as a point: {}", near_line(near))));
+    if let Some(rest) = near_points.len().checked_sub(LONG).filter(|rest| *rest > 0) {
         lines.push(format!("as a point: {rest} more; --format json names them all"));
     }
     lines.extend(motion_lines(scene));
@@ -112,17 +110,18 @@ fn lines_on_surfaces(scene: &Scene, inspection: &Inspection) -> Vec<String> {
     lines.extend(scene.imported().into_iter().flat_map(Imported::lines));
     lines.extend(outside(scene));
     if !variables.is_empty() {
-        let variables = variables.iter().map(|(name, value)| format!("{name} = {value}"));
-        lines.push(format!("variables: {}\n", variables.collect::<Vec<_>>().join(", ")));
+        let variables: Vec<String> =
+            variables.iter().map(|(name, value)| format!("{name} = {value}")).collect();
+        lines.push(format!("variables: {}\n", listed(&variables, LONG)));
     }
     let groups: Vec<&str> = scene.light_groups().iter().map(|group| group.name.as_str()).collect();
     if !groups.is_empty() {
-        lines.push(format!("light groups: {}\n", groups.join(", ")));
+        lines.push(format!("light groups: {}\n", listed(&groups, LONG)));
     }
     lines.push(surface_table(surfaces, &inspection.areas).to_string());
     lines.extend(materials::lines(scene));
     if !scene.unused_materials.is_empty() {
-        lines.push(format!("materials that no surface has: {}", scene.unused_materials.join(", ")));
+        lines.push(format!("materials that no surface has: {}", listed(&scene.unused_materials, LONG)));
     }
     if !inspection.contacts.is_empty() {
         lines.push(contact_table(scene, &inspection.contacts).to_string());
@@ -130,18 +129,18 @@ fn lines_on_surfaces(scene: &Scene, inspection: &Inspection) -> Vec<String> {
     lines
 }
 
-/// One line for each warning, of each kind the first `LISTED`.
+/// One line for each warning, of each kind the first `LONG`.
 fn warning_lines(warnings: &[Warning]) -> Vec<String> {
     let (mut lines, mut counts) = (Vec::new(), BTreeMap::new());
     for warning in warnings {
         let count = counts.entry(warning.code).or_insert(0);
         *count += 1;
-        if *count <= LISTED {
+        if *count <= LONG {
             lines.push(format!("warning: {}", warning.message));
         }
     }
-    for (code, count) in counts.into_iter().filter(|(_, count)| *count > LISTED) {
-        let rest = count - LISTED;
+    for (code, count) in counts.into_iter().filter(|(_, count)| *count > LONG) {
+        let rest = count - LONG;
         lines.push(format!("warning: {rest} more of the kind {code:?}: --format json names them all"));
     }
     lines
@@ -235,17 +234,9 @@ fn contact_table(scene: &Scene, contacts: &[SurfaceContact]) -> Table<'static> {
         }
     }
     let row = |(own, way, others): (usize, &str, Vec<&str>)| {
-        [scene.surfaces[own].name.clone(), way.to_owned(), listed(&others)]
+        [scene.surfaces[own].name.clone(), way.to_owned(), listed(&others, LONG)]
     };
     Table::new(["surface", "touches", "of"].map(Column::text), rows.into_iter().map(row))
-}
-
-/// Names, the first `LISTED` of them where there are many.
-fn listed(names: &[&str]) -> String {
-    match names.split_at_checked(LISTED) {
-        Some((first, rest)) if !rest.is_empty() => format!("{} and {} others", first.join(", "), rest.len()),
-        _ => names.join(", "),
-    }
 }
 
 fn way(touch: Adjacency) -> &'static str {
@@ -261,21 +252,22 @@ fn way(touch: Adjacency) -> &'static str {
 fn shell_line(scene: &Scene, shell: &Shell) -> String {
     let names: Vec<&str> = shell.surfaces.iter().map(|k| scene.surfaces[*k].name.as_str()).collect();
     let Shell { volume, fronts, .. } = shell;
-    format!("{}; volume {volume:.6}, fronts {}", listed(&names), side(*fronts))
+    format!("{}; volume {volume:.6}, fronts {}", listed(&names, LONG), side(*fronts))
 }
 
 fn footprint_line(scene: &Scene, footprint: &Footprint) -> String {
     let name = |index: &usize| scene.surfaces[*index].name.as_str();
     let standing: Vec<&str> = footprint.standing.iter().map(name).collect();
     let area = footprint.region.area();
-    format!("{:.6} of {}, where {} stand", area, name(&footprint.surface), listed(&standing))
+    format!("{:.6} of {}, where {} stand", area, name(&footprint.surface), listed(&standing, LONG))
 }
 
 /// Lines on the animation: number of frames, and the things that move or are dimmed.
 fn motion_lines(scene: &Scene) -> Vec<String> {
     let Some(Animation { frames, rate, movers, .. }) = &scene.animation else { return Vec::new() };
-    let motion =
-        |mover: &Mover| format!("motion: {} {} {}", mover.name, happens(mover), listed(&moved(scene, mover)));
+    let motion = |mover: &Mover| {
+        format!("motion: {} {} {}", mover.name, happens(mover), listed(&moved(scene, mover), LONG))
+    };
     let head = match rate {
         1.0 => format!("frames: {frames}, 0 to {}", frames - 1),
         rate => format!("frames: {frames}, 0 to {}, {rate} in a unit of time", frames - 1),

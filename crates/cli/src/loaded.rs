@@ -12,6 +12,7 @@ use radiosity_request::view::{View, ViewRequest};
 use radiosity_scene::Scene;
 use radiosity_solve::Options;
 use radiosity_solve::solved::Solved;
+use radiosity_work::listed::{LONG, listed};
 use radiosity_work::ranks::Ranks;
 
 use crate::error::CliError;
@@ -169,8 +170,9 @@ pub(crate) fn relit(solved: Solved, factors: &[(&str, f64)]) -> Result<Solved, C
 pub(crate) fn outside(scene: &Scene) -> Option<String> {
     let files = scene.source.as_ref()?.outside();
     let names: Vec<&str> = files.iter().map(String::as_str).collect();
-    (!names.is_empty())
-        .then(|| format!("read outside the folder of the scene (--inside refuses it): {}", names.join(", ")))
+    let told =
+        || format!("read outside the folder of the scene (--inside refuses it): {}", listed(&names, LONG));
+    (!names.is_empty()).then(told)
 }
 
 /// Most remarks on a scene of another program that a summary spells out. Chosen.

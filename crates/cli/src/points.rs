@@ -5,7 +5,7 @@
 //! but 0.
 
 use radiosity_geom::DVec3;
-use radiosity_language::csv_rows::{Row, Unreadable, rows};
+use radiosity_language::csv_rows::{Row, rows};
 use radiosity_language::input;
 use radiosity_reading::probe::Probe;
 use radiosity_scene::ranges::LARGEST;
@@ -40,10 +40,15 @@ impl Points {
 
     fn parse(text: &[u8], origin: &str) -> Result<Self, CliError> {
         let text = text.strip_prefix(b"\xef\xbb\xbf").unwrap_or(text);
+        let text = std::str::from_utf8(text).map_err(|fault| {
+            let line = 1 + text[..fault.valid_up_to()].iter().filter(|byte| **byte == b'\n').count();
+            let cause = format!("{origin}:{line}: this is no text: {fault}");
+            CliError::refused(cause, "save the file as UTF-8")
+        })?;
         let mut points = Self { origin: origin.to_owned(), probes: Vec::new(), lines: Vec::new() };
         let mut columns: Option<Columns> = None;
         for row in rows(text) {
-            let Row { fields, line, .. } = row.map_err(|row| points.unreadable(&row))?;
+            let Row { fields, line, .. } = row;
             if let [field] = fields.as_slice()
                 && field.contains([';', '\t'])
             {
@@ -78,10 +83,6 @@ impl Points {
             }
         }
         Ok(Columns { places, count: record.len() })
-    }
-
-    fn unreadable(&self, row: &Unreadable) -> CliError {
-        self.error(row.line, format!("this is no text: {}", row.message), "save the file as UTF-8")
     }
 
     /// The error of a line.

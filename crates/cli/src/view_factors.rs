@@ -125,7 +125,7 @@ pub(crate) fn run(args: &ViewFactorsArgs, given: &TypedOptions, ranks: &Ranks) -
     let form = Form { format, sparse: args.sparse, pairs };
     destination.write(|writer| form.write(&scene, &factors, &told, writer))?;
     progress.clear();
-    let findings = work.during(Stage::Checks, || args.findings(&scene, &factors, &told, ranks))?;
+    let findings = work.during(Stage::Checks, || args.findings(&scene, &factors, &options, &told, ranks))?;
     let mut first = costs(&scene, &factors, start.elapsed().as_secs_f64());
     first.push(progress.stages());
     args.transfers.tell(first, &scene, findings, &args.output, ranks);
@@ -283,30 +283,31 @@ impl ViewFactorsArgs {
         &self,
         scene: &Scene,
         factors: &ViewFactors,
+        options: &Options,
         told: &CheckedFactors,
         ranks: &Ranks,
     ) -> Result<Vec<String>, CliError> {
         let threads = ranks.threads(self.transfers.request.threads());
-        let sums = || self.sums(scene, factors);
+        let sums = || sums(scene, factors, options);
         let mut lines = if self.pairs.is_empty() { in_threads(threads, sums)? } else { Vec::new() };
         lines.extend(told.checked.as_ref().map(ToString::to_string));
         if let Some(finding) = told.checked.as_ref().and_then(Checked::finding) {
             lines.push(format!("warning: walks find the factors off by more than these tell: {finding}"));
         }
-        let eps = self.transfers.request.accuracy().eps;
-        lines.extend(missed_by_rays(factors, eps).map(|missed| format!("warning: {missed}")));
+        lines
+            .extend(missed_by_rays(factors, options.accuracy.eps).map(|missed| format!("warning: {missed}")));
         if let Some(worst) = factors.worst_error.filter(WorstError::is_real) {
             let names = worst.pair.map(|surface| &factors.names[surface][..]);
             lines.push(format!("warning: {}", missed(&worst, names)));
         }
         Ok(lines)
     }
+}
 
-    /// Lines on row sums.
-    fn sums(&self, scene: &Scene, factors: &ViewFactors) -> Vec<String> {
-        let sums = RowSums::of(scene, factors, self.transfers.request.accuracy());
-        let [range, closed] = sums.lines();
-        let warning = sums.warning().map(|warning| warning.to_string());
-        [range, closed].into_iter().chain(warning).collect()
-    }
+/// Lines on row sums.
+fn sums(scene: &Scene, factors: &ViewFactors, options: &Options) -> Vec<String> {
+    let sums = RowSums::of(scene, factors, options);
+    let [range, closed] = sums.lines();
+    let warning = sums.warning().map(|warning| warning.to_string());
+    [range, closed].into_iter().chain(warning).collect()
 }

@@ -1,6 +1,6 @@
 //! Building a model: surfaces are named and checked, materials told apart by name and values.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 
 use glam::DVec3;
@@ -12,8 +12,10 @@ use radiosity_photometry::note_text::NoteText;
 use radiosity_photometry::text::short;
 
 use crate::colour::settle;
+use crate::face_normals::{FaceNormals, OPPOSED};
 use crate::model::{Mantle, Material, Model, Shape, Sides, Surface};
 use crate::names::UniqueNames;
+use crate::opposed_faces::OpposedFaces;
 use crate::tolerances::{GREATEST, MOST_SURFACES, MOST_VERTICES};
 
 /// A material before it has its index.
@@ -46,12 +48,40 @@ pub(crate) struct ModelBuilder {
     vertices: usize,
     /// The included file that is read; none for the main one.
     file: Option<Arc<str>>,
+    /// Notes on materials that surfaces have.
+    told: HashSet<Note>,
+    /// Faces whose normals at vertices point to their backs.
+    opposed: OpposedFaces,
 }
 
 impl ModelBuilder {
     /// Notes something in a line; what was noted before is only counted.
     pub(crate) fn note(&mut self, text: impl Into<NoteText>, line: usize) {
         Note::add_in(&mut self.model.notes, text, self.file.as_ref(), Some(FilePlace::Line(line)));
+    }
+
+    /// A note on something in a line, which is told where a surface has it.
+    pub(crate) fn note_of(&self, text: &'static str, line: usize) -> Note {
+        Note { text: text.into(), file: self.file.clone(), place: Some(FilePlace::Line(line)), count: 1 }
+    }
+
+    /// Notes what of the material of a surface is left out, each thing once.
+    pub(crate) fn note_coat<'a>(&mut self, left_out: impl IntoIterator<Item = &'a Note>) {
+        for note in left_out {
+            if !self.told.contains(note) {
+                self.told.insert(note.clone());
+                note.clone().put(&mut self.model.notes);
+            }
+        }
+    }
+
+    /// Notes normals at the vertices of a face in a line, which has these sides, that are not those of the face.
+    pub(crate) fn note_normals(&mut self, normals: &FaceNormals, sides: Sides, line: usize) {
+        match normals.remark(sides) {
+            None => {}
+            Some(OPPOSED) => self.opposed.add(normals.corners, self.note_of(OPPOSED, line)),
+            Some(remark) => self.note(remark, line),
+        }
     }
 
     /// Puts what follows into this included file, or into the main one.
@@ -141,6 +171,7 @@ impl ModelBuilder {
 
     /// The model, in one band if it is grey.
     pub(crate) fn finish(mut self) -> Model {
+        std::mem::take(&mut self.opposed).note(&mut self.model);
         self.model.bands = ["r", "g", "b"].map(str::to_owned).to_vec();
         settle(&mut self.model);
         self.model

@@ -27,7 +27,6 @@ use radiosity_photometry::text::short;
 use crate::mesh::Mesh;
 use crate::model::Model;
 use accessor::Accessors;
-use extensions::Loss;
 use json::Json;
 use nodes::Nodes;
 use radiosity_photometry::files::Files;
@@ -51,19 +50,20 @@ fn mesh(bytes: &[u8], files: &dyn Files) -> Result<Mesh, Refusal> {
     let buffers = buffers::all(&root, &json, parts.binary, files)?;
     let mut mesh = Mesh::default();
     mesh.model.bands = ["r", "g", "b"].map(str::to_owned).to_vec();
-    let sides = material::add_all(&json, &root, &mut mesh.model)?;
+    let finishes = material::add_all(&json, &root, &mut mesh.model)?;
     if !root.animations.is_empty() {
         mesh.model.note("animations are left out", None);
     }
     if root.scenes.len() > 1 {
         mesh.model.note("scenes of the file other than one are left out", None);
     }
-    for name in root.extensions_used.iter().filter(|name| extensions::loss(name) == Loss::Unknown) {
+    for name in root.extensions_used.iter().filter(|name| extensions::is_unknown(name)) {
         mesh.model.note(extensions::left_out(name), None);
     }
     extensions::note(&root.extensions, &root, json.place(json.text()), &mut mesh.model);
+    extensions::note_all(&json, &root, &mut mesh.model);
     let accessors = Accessors::new(&json, &root, &buffers);
-    Nodes::new(&json, &root, accessors, &sides, &mut mesh).add_scene()?;
+    Nodes::new(&json, &root, accessors, finishes, &mut mesh).add_scene()?;
     Ok(mesh)
 }
 

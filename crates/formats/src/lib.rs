@@ -4,13 +4,13 @@
 //! Flow: bytes → [`read`] → `Model` → [`repair`] → a scene of `radiosity`, or text of another format
 //! (`write`). Files of luminaires are read by `photometry`.
 //!
-//! In order: [`tolerances`], [`model`], `names` and `colour` (what readers
-//! make); [`format`](mod@format) (which there are); [`picture`] (PNG and OpenEXR → numbers of texels);
-//! `lines`, `scalar`, `budget`, `includes`, `xform`, `merge`, `builder` and [`mesh`] (what readers share);
-//! the readers, `mgf` to `vs3`, three with a writer; `read` and `write` (any of them); `materials`, `unit`
-//! and `up` (what a file does not state); `fronts` and [`repair`].
+//! In order: [`tolerances`], [`model`], `names` and `colour` (what readers make); [`format`](mod@format)
+//! (which there are); [`picture`] (PNG and OpenEXR → numbers of texels); `lines`, `scalar`, `budget`,
+//! `includes`, `xform`, `merge`, `face_normals`, `opposed_faces`, `builder` and [`mesh`] (what readers
+//! share); the readers, `mgf` to `vs3`, three with a writer; `read` and `write` (any of them); `materials`,
+//! `unit` and `up` (what a file does not state); `fronts` and [`repair`].
 //!
-//! Imports `geom`, `fit` and `photometry`.
+//! Imports `geom`, `work`, `fit` and `photometry`.
 
 pub mod tolerances;
 pub mod model;
@@ -24,6 +24,8 @@ mod budget;
 mod includes;
 mod xform;
 pub mod merge;
+mod face_normals;
+mod opposed_faces;
 mod builder;
 pub mod mesh;
 pub mod mgf;

@@ -19,6 +19,7 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 
 use radiosity_photometry::error::{Refusal, refuse};
+use radiosity_work::listed::{SPELT, listed};
 use serde::Deserialize;
 use strsim::damerau_levenshtein;
 use toml::Spanned;
@@ -28,9 +29,6 @@ use crate::tolerances::GREATEST;
 
 /// The name of the material of surfaces without one.
 const ANY: &str = "*";
-
-/// Most names that a message spells out: a line of a terminal, about.
-const SPELT: usize = 6;
 
 /// A file of materials.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -245,8 +243,8 @@ fn meant<'a>(name: &str, known: impl Iterator<Item = &'a str>, what: &str) -> St
         }
         Some((edits, near)) if edits <= 1 + name.chars().count() / 3 => format!("did you mean {near:?}?"),
         Some(_) => {
-            let more = if known.len() > SPELT { ", …" } else { "" };
-            format!("{what} of the scene: {}{more}", known[..known.len().min(SPELT)].join(", "))
+            let known: Vec<String> = known.iter().map(|own| format!("{own:?}")).collect();
+            format!("{what} of the scene: {}", listed(&known, SPELT))
         }
     }
 }

@@ -2,47 +2,20 @@
 
 use glam::DVec3;
 use radiosity_fit::outline::WARPED;
-use radiosity_geom::area_vector;
 use radiosity_photometry::error::{Refusal, refuse};
 use radiosity_photometry::file_place::FilePlace;
+use radiosity_photometry::note::Note;
 
 use crate::colour;
+use crate::face_normals::{FaceNormals, OPPOSED};
 use crate::merge;
 use crate::model::{Model, Shape, Sides, Surface};
 use crate::names::UniqueNames;
+use crate::opposed_faces::OpposedFaces;
 use crate::tolerances::{GREATEST, MOST_SURFACES, MOST_VERTICES};
-
-/// Note on normals of vertices that are not those of the faces there.
-pub(crate) const ROUNDED: &str = "normals of vertices are left out: faces are flat";
-
-/// Note on normals of vertices that point to the backs of the faces there.
-pub(crate) const OPPOSED: &str = "normals of vertices that point to the back of their face are left out: the order of corners tells the front";
 
 /// Note on smoothing of faces that meet at an angle.
 pub(crate) const SMOOTHED: &str = "smoothing groups are left out: faces are flat";
-
-/// Sine of the angle between the normal of a vertex and that of a face from which on they differ. Chosen: half a
-/// degree, beyond what normals written with two digits err by.
-const ROUNDED_FROM: f64 = 1e-2;
-
-/// Whether two normals of length 1 differ, which point to one side.
-pub(crate) fn is_bent(one: DVec3, other: DVec3) -> bool {
-    one.cross(other).length() > ROUNDED_FROM || one.dot(other) < 0.0
-}
-
-/// Note on normals at the corners of a face that are not those of the face: light that is interpolated between them
-/// makes flat faces look round, and where they point to the back the front is another one.
-pub(crate) fn remark_on_normals(
-    corners: &[DVec3],
-    normals: impl IntoIterator<Item = DVec3>,
-) -> Option<&'static str> {
-    let own = area_vector(corners).try_normalize()?;
-    let mut bent =
-        normals.into_iter().filter_map(DVec3::try_normalize).filter(|normal| is_bent(*normal, own));
-    let first = bent.next()?;
-    let is_opposed = first.dot(own) < 0.0 && bent.all(|normal| normal.dot(own) < 0.0);
-    Some(if is_opposed { OPPOSED } else { ROUNDED })
-}
 
 /// Object, material and sides of faces.
 #[derive(Clone, Copy, Debug)]
@@ -62,6 +35,7 @@ pub struct Mesh {
     pub(crate) model: Model,
     /// Whether the file states normals at vertices.
     pub(crate) has_normals: bool,
+    opposed: OpposedFaces,
     names: Vec<Option<String>>,
     objects: Vec<usize>,
     corners: usize,
@@ -74,16 +48,18 @@ impl Mesh {
         self.names.len() - 1
     }
 
-    /// Notes normals at the corners of a face that are not those of the face.
-    pub(crate) fn note_rounding(
-        &mut self,
-        corners: &[DVec3],
-        normals: impl IntoIterator<Item = DVec3>,
-        place: FilePlace,
-    ) {
-        if let Some(remark) = remark_on_normals(corners, normals) {
-            self.model.note(remark, Some(place));
+    /// Notes normals of a face of these sides that are not its own.
+    pub(crate) fn note_normals(&mut self, normals: &FaceNormals, sides: Sides, place: FilePlace) {
+        match normals.remark(sides) {
+            None => {}
+            Some(OPPOSED) => self.note_opposed(normals.corners, OPPOSED, place),
+            Some(remark) => self.model.note(remark, Some(place)),
         }
+    }
+
+    /// Notes that a normal of the face of these corners is that of its back, unless the back is a face, too.
+    pub(crate) fn note_opposed(&mut self, corners: &[DVec3], text: &'static str, place: FilePlace) {
+        self.opposed.add(corners, Note { text: text.into(), file: None, place: Some(place), count: 1 });
     }
 
     /// Adds a face with its corners counter-clockwise about its front. Four corners off their plane make a
@@ -139,6 +115,7 @@ impl Mesh {
                 "save the model with polygons, or name its format",
             );
         }
+        std::mem::take(&mut self.opposed).note(&mut self.model);
         merge::coplanar(&mut self.model, &mut self.objects);
         self.name();
         colour::settle(&mut self.model);

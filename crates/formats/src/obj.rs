@@ -23,6 +23,7 @@ use std::f64::consts::PI;
 use radiosity_photometry::error::{Refusal, refuse_at};
 use radiosity_photometry::file_place::FilePlace;
 use radiosity_photometry::files::{Files, Unread};
+use radiosity_photometry::note::Note;
 use radiosity_photometry::note_text::NoteText;
 use radiosity_photometry::text::decoded;
 use radiosity_photometry::text::short;
@@ -145,7 +146,7 @@ fn add_material(model: &mut Model, name: &str, mtl: Option<&Mtl>, line: usize) -
     let (reflectance, emission) = match mtl {
         Some(Mtl { fault: Some(fault), .. }) => return Err(fault.clone()),
         Some(mtl) => {
-            mtl.left_out.iter().for_each(|what| model.note(what.clone(), None));
+            mtl.left_out.iter().for_each(|note| note.clone().put(&mut model.notes));
             (mtl.reflectance(), mtl.radiance().map(|value| PI * value))
         }
         None => {
@@ -165,14 +166,14 @@ fn add_material(model: &mut Model, name: &str, mtl: Option<&Mtl>, line: usize) -
 /// Notes materials with faulty colours that no face has.
 fn note_unused(known: &HashMap<String, Mtl>, used: &[MaterialUse], model: &mut Model) {
     let is_used = |name: &String| used.iter().any(|own| own.name == *name);
-    let mut faulty: Vec<&String> =
-        known.iter().filter(|(_, mtl)| mtl.fault.is_some()).map(|(name, _)| name).collect();
-    faulty.retain(|name| !is_used(name));
-    faulty.sort();
-    for name in faulty {
+    let mut faulty: Vec<(&String, &Refusal)> =
+        known.iter().filter_map(|(name, mtl)| Some((name, mtl.fault.as_ref()?))).collect();
+    faulty.retain(|(name, _)| !is_used(name));
+    faulty.sort_by_key(|(name, _)| *name);
+    for (name, fault) in faulty {
         let text = NoteText::from("the material ")
             .quoting(format!("'{}'", short(name)))
             .then(", which no face has, is left out: one of its colours cannot be followed");
-        model.note(text, None);
+        Note::add_in(&mut model.notes, text, Some(&fault.file.as_str().into()), fault.place);
     }
 }

@@ -73,7 +73,7 @@ pub fn refusal(repairs: &Repairs, file: &str) -> Option<Refusal> {
     };
     let cure = "mend the file, or let it be repaired".to_owned();
     let file = first.file.as_deref().unwrap_or(file);
-    Some(Refusal { file: file.to_owned(), place: first.place, cause, cure })
+    Some(Refusal { place: first.place, ..Refusal::new(cause, cure).in_file(file) })
 }
 
 fn is_within_reach(shape: &Shape) -> bool {

@@ -1,26 +1,26 @@
 //! Why the heat of a scene has no balance.
 
 use radiosity_solve::Failure;
-use radiosity_work::listed::listed;
+use radiosity_work::listed::{SPELT, listed};
 use radiosity_work::wording::{Wording, option, words};
 
 /// Why the heat of a scene has no balance.
 #[derive(Debug, thiserror::Error)]
 pub enum HeatError {
     /// Surfaces of which neither temperature nor flux is known.
-    #[error("neither a temperature nor a flux of heat is given for {}", listed(surfaces))]
+    #[error("neither a temperature nor a flux of heat is given for {}", listed(surfaces, SPELT))]
     NoCondition {
         /// Names of the surfaces.
         surfaces: Vec<String>,
     },
     /// Surfaces that need an emissivity.
-    #[error("no emissivity is given for {}", listed(surfaces))]
+    #[error("no emissivity is given for {}", listed(surfaces, SPELT))]
     NoEmissivity {
         /// Names of the surfaces.
         surfaces: Vec<String>,
     },
     /// Surfaces that let heat through.
-    #[error("heat would pass through {}", listed(surfaces))]
+    #[error("heat would pass through {}", listed(surfaces, SPELT))]
     Transmits {
         /// Names of the surfaces.
         surfaces: Vec<String>,
@@ -28,14 +28,14 @@ pub enum HeatError {
     /// Surfaces that exchange heat with one another alone, all of known flux.
     #[error(
         "no temperature sets the level of {}: nothing but fluxes of heat is given, and no more can leave than the transfers err by",
-        listed(surfaces)
+        listed(surfaces, SPELT)
     )]
     NoLevel {
         /// Names of the surfaces.
         surfaces: Vec<String>,
     },
     /// Surfaces from which more heat is drawn than arrives.
-    #[error("more heat is drawn than arrives: no temperature is low enough for {}", listed(surfaces))]
+    #[error("more heat is drawn than arrives: no temperature is low enough for {}", listed(surfaces, SPELT))]
     TooCold {
         /// Names of the surfaces.
         surfaces: Vec<String>,

@@ -12,11 +12,9 @@ use radiosity_scene::{
     Camera, Fault, Scene, SceneSurface,
     error::{Located, title},
 };
+use radiosity_work::listed::{SPELT, listed};
 
 use crate::instances::PlacedSurface;
-
-/// Most names that a message spells out, with the key of each: a line or two of a terminal.
-const SPELT: usize = 4;
 
 /// Most surfaces of a model, as many as instances make.
 const MOST_SURFACES: usize = 1_000_000;
@@ -146,12 +144,10 @@ impl<'a> Export<'a> {
     pub(super) fn finish(self) -> Result<Model, Located> {
         match self.refused.len() {
             0 => Ok(self.model),
-            count => {
+            _ => {
                 let spelt = |ForeignSurface { name, key }: &ForeignSurface| format!("{name:?} ({key})");
-                let spelt = self.refused.iter().take(SPELT).map(spelt);
-                let spelt = spelt.collect::<Vec<_>>().join(", ");
-                let more = if count > SPELT { format!(" and {} more", count - SPELT) } else { String::new() };
-                let cause = format!("other programs have no such shapes as {spelt}{more}");
+                let refused: Vec<String> = self.refused.iter().map(spelt).collect();
+                let cause = format!("other programs have no such shapes as {}", listed(&refused, SPELT));
                 let cure = "cut them into flat pieces (`convert --tessellate 20`), write the scene as .toml or .json, or leave them out";
                 Err(Located::nowhere(Fault::foreign(cause, cure)))
             }

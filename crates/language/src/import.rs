@@ -21,6 +21,7 @@ use radiosity_photometry::{
     file_place::FilePlace,
     files::{Files, Folder, NoFiles, Reach},
     note::Note,
+    note_text::NoteText,
 };
 use radiosity_scene::{Fault, FaultKind, Imported, Notation, SceneError, Source};
 use radiosity_work::{
@@ -79,14 +80,14 @@ impl Import {
         let (name, files): (_, &dyn Files) =
             if file == "-" { ("<stdin>", &NoFiles) } else { (file, &folder) };
         let model = read(format, name, &bytes, files);
-        let model = model.map_err(|refusal| refused(folder.discreet(refusal)))?;
         let outside = folder.outside();
+        let model = model.map_err(|refusal| discreet(refusal, &outside))?;
         let (model, imported) = self.repaired(model, name, format, !outside.is_empty())?;
         Ok((model, imported, outside))
     }
 
     /// The model in `file` with the materials, the unit and the axis that were asked for, repaired. Where
-    /// files `outside` were read, notes quote nothing.
+    /// files `outside` were read, what is told quotes nothing of the model.
     fn repaired(
         &self,
         mut model: Model,
@@ -94,8 +95,13 @@ impl Import {
         format: Format,
         outside: bool,
     ) -> Result<(Model, Imported), SceneError> {
+        let shown = |text: &NoteText| if outside { text.without_quotes() } else { text.to_string() };
+        let hidden = |refusal: Refusal| {
+            let cure = shown(&NoteText::with_quotes(refusal.cure));
+            refused(Refusal { cure, ..refusal })
+        };
         let replaced = match &self.materials {
-            Some(side) => materials::apply(side, &mut model).map_err(refused)?,
+            Some(side) => materials::apply(side, &mut model).map_err(hidden)?,
             None => Vec::new(),
         };
         if let Some(unit) = self.unit {
@@ -109,10 +115,10 @@ impl Import {
         let repairs = repair(&mut model, &options);
         if let Some(refusal) = refusal(&repairs, file).filter(|_| self.strict) {
             let cure = words("mend the file, or let repairs be made by leaving out ") + option("strict");
-            let fault = Fault::new(FaultKind::Foreign, &refusal.cause, cure);
+            let cause = shown(&NoteText::with_quotes(&refusal.cause));
+            let fault = Fault::new(FaultKind::Foreign, cause, cure);
             return Err(SceneError { fault, ..refused(refusal) });
         }
-        let text = |note: &Note| if outside { note.text.without_quotes() } else { note.text.to_string() };
         let notes = std::mem::take(&mut model.notes);
         let notes = notes
             .iter()
@@ -120,7 +126,7 @@ impl Import {
                 format!(
                     "{}: {}{}",
                     Located::of(file, note.file.as_ref(), note.place),
-                    text(note),
+                    shown(&note.text),
                     times(note)
                 )
             })
@@ -128,7 +134,10 @@ impl Import {
         let repairs = repairs
             .list
             .iter()
-            .map(|own| format!("{}: {}", Located::of(file, own.file.as_ref(), own.place), own.text))
+            .map(|own| {
+                let text = NoteText::with_quotes(&own.text);
+                format!("{}: {}", Located::of(file, own.file.as_ref(), own.place), shown(&text))
+            })
             .collect();
         let imported = Imported { file: file.to_owned(), format: format.name(), replaced, notes, repairs };
         Ok((model, imported))
@@ -163,6 +172,16 @@ impl Import {
         let mut source = Source::new(&origin, &text).made_from(imported);
         source.record_outside(outside);
         Ok(source)
+    }
+}
+
+/// The error of a refusal, which shows nothing of what files `outside` say.
+fn discreet(refusal: Refusal, outside: &BTreeSet<String>) -> SceneError {
+    let is_hidden = [&refusal.file].into_iter().chain(&refusal.quoted).any(|file| outside.contains(file));
+    let error = refused(refusal);
+    match is_hidden {
+        true => SceneError { fault: error.fault.discreet(), ..error },
+        false => error,
     }
 }
 

@@ -6,6 +6,7 @@
 //! are added to the [`Source`], so that a scene can be read again without its files.
 
 use std::{
+    collections::BTreeSet,
     io,
     path::{Component, Path, PathBuf},
     sync::Arc,
@@ -51,7 +52,24 @@ pub(super) fn trees(source: &mut Source, language: Language) -> Result<Vec<FileT
     let mut files = NamedFiles { source, folder, done: Vec::new(), trees: Vec::new() };
     let tree = tree_of(files.source, language)?;
     files.take(tree, String::new(), &mut vec![origin])?;
-    Ok(files.trees)
+    let trees = files.trees;
+    hide_words(source, &trees);
+    Ok(trees)
+}
+
+/// Keeps words out of messages that files outside the folder say and none in it does.
+fn hide_words(source: &mut Source, trees: &[FileTree]) {
+    if source.outside().is_empty() {
+        return;
+    }
+    let words = |is_outside: bool| {
+        let mut words = BTreeSet::new();
+        let trees = trees.iter().filter(|own| source.is_outside(own.tree.span.start) == is_outside);
+        trees.for_each(|own| own.tree.value.add_words(&mut words));
+        words
+    };
+    let hidden: Vec<String> = words(true).difference(&words(false)).cloned().collect();
+    source.hide(hidden);
 }
 
 /// The tree of `source` itself.
@@ -178,14 +196,6 @@ fn unreadable(file: &str, error: &io::Error) -> Fault {
 pub(super) fn no_files(file: &str) -> Fault {
     let cause = format!("{file:?} cannot be included: the text is not that of a file");
     Fault::new(FaultKind::Include, cause, "read the scene from its file, such as `radiosity check room.toml`")
-}
-
-/// A fault in the content of `file`; of one outside the folder of the scene it shows nothing.
-pub(super) fn shown(file: &str, fault: Fault, source: &Source) -> Fault {
-    match source.outside().contains(file) {
-        true => fault.discreet(),
-        false => fault,
-    }
 }
 
 /// The pictures of the materials of a tree, as far as they are given rightly.

@@ -5,7 +5,9 @@
 use std::{collections::BTreeMap, sync::Arc};
 
 use radiosity_geom::{DVec3, Motion};
-use radiosity_scene::{Fault, FaultKind, Source, error::Located, names::UniqueNames, tree::DEEPEST};
+use radiosity_scene::{
+    Fault, FaultKind, Source, error::Located, names::UniqueNames, place::At, tree::DEEPEST,
+};
 
 use crate::{
     file::{Content, CopyRow, InstanceFile, LuminaireFile, PartFile, SurfaceFile},
@@ -23,6 +25,8 @@ pub(super) struct PlacedEntry<'a, T> {
     pub motion: Motion,
     /// The instances that it is in, those of an array with and without the place in it.
     pub instances: Arc<[String]>,
+    /// Whether it, or an instance that it is in, stands in a file outside the folder of the scene.
+    pub is_outside: bool,
 }
 
 /// An entry of `[[surfaces]]`, moved as its instance and its own transform say.
@@ -36,6 +40,8 @@ pub(super) type PlacedLuminaire<'a> = PlacedEntry<'a, LuminaireFile>;
 pub(super) struct Placed<'a> {
     pub surfaces: Vec<PlacedSurface<'a>>,
     pub luminaires: Vec<PlacedLuminaire<'a>>,
+    /// Names of instances that stand in files outside the folder of the scene, or within such.
+    pub outside: Vec<String>,
 }
 
 /// The content of the scene, then that of its instances.
@@ -49,7 +55,13 @@ pub(super) fn placed<'a>(
     let parts: Parts<'_> = parts.iter().map(|part| (part.name.value.as_str(), part.file.content())).collect();
     check_sizes(content, &parts)?;
     let mut placed = Placed::default();
-    let scene = Within { prefix: String::new(), motion: Motion::IDENTITY, instances: Arc::default() };
+    let scene = Within {
+        prefix: String::new(),
+        motion: Motion::IDENTITY,
+        instances: Arc::default(),
+        is_outside: false,
+        source,
+    };
     place(content, &scene, &parts, &mut placed)?;
     Ok(placed)
 }
@@ -67,18 +79,22 @@ fn check_names(instances: &[InstanceFile], source: &Source) -> Result<(), Locate
 }
 
 /// The instance that something is in, or the scene.
-struct Within {
+struct Within<'s> {
     /// Prefix of names in the instance; empty in the scene.
     prefix: String,
     motion: Motion,
     /// Names of the instances around an entry; see [`PlacedEntry::instances`].
     instances: Arc<[String]>,
+    /// Whether one of these stands in a file outside the folder of the scene.
+    is_outside: bool,
+    source: &'s Source,
 }
 
-impl Within {
-    fn entry<'a, T>(&self, file: &'a T, name: &str, motion: Motion) -> PlacedEntry<'a, T> {
-        let name = format!("{}{name}", self.prefix);
-        PlacedEntry { file, name, motion, instances: Arc::clone(&self.instances) }
+impl Within<'_> {
+    fn entry<'a, T>(&self, file: &'a T, name: &At<String>, motion: Motion) -> PlacedEntry<'a, T> {
+        let is_outside = self.is_outside || self.source.is_outside(name.span.start);
+        let name = format!("{}{}", self.prefix, name.value);
+        PlacedEntry { file, name, motion, instances: Arc::clone(&self.instances), is_outside }
     }
 
     /// The copy at `index`, moved by `offset`, of an instance in it.
@@ -90,28 +106,33 @@ impl Within {
         instances.push(own.clone());
         let own_motion = instance.transform.unwrap_or(Motion::IDENTITY);
         let motion = own_motion.then(offset).then(&self.motion);
-        Self { prefix: own + ".", motion, instances: instances.into() }
+        let is_outside = self.is_outside || self.source.is_outside(instance.name.span.start);
+        Self { prefix: own + ".", motion, instances: instances.into(), is_outside, source: self.source }
     }
 }
 
 /// Adds all surfaces and luminaires of `content` to `all`, where they are in what it is `within`.
 fn place<'a>(
     content: Content<'a>,
-    within: &Within,
+    within: &Within<'_>,
     parts: &Parts<'a>,
     all: &mut Placed<'a>,
 ) -> Result<(), Located> {
     for file in content.surfaces {
         let motion = file.transform.unwrap_or(Motion::IDENTITY).then(&within.motion);
-        all.surfaces.push(within.entry(file, &file.name.value, motion));
+        all.surfaces.push(within.entry(file, &file.name, motion));
     }
     for file in content.luminaires {
-        all.luminaires.push(within.entry(file, &file.name.value, within.motion));
+        all.luminaires.push(within.entry(file, &file.name, within.motion));
     }
     for instance in content.instances {
         let (_, part) = part_of(instance, parts)?;
         for (index, offset) in copies(instance)? {
-            place(part, &within.copy(instance, &index, &offset), parts, all)?;
+            let copy = within.copy(instance, &index, &offset);
+            if copy.is_outside {
+                all.outside.extend_from_slice(&copy.instances[within.instances.len()..]);
+            }
+            place(part, &copy, parts, all)?;
         }
     }
     Ok(())

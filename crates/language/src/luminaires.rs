@@ -132,7 +132,7 @@ impl Tables<'_> {
         let (text, _) = text.ok_or_else(|| Located::at(&name.span, include::no_files(&path)))?;
         let table = photometry::read(&path, text.as_bytes())
             .map_err(|refusal| Fault::foreign(refusal.to_string(), refusal.cure))
-            .map_err(|fault| Located::at(&name.span, include::shown(&path, fault, self.source)))?;
+            .map_err(|fault| Located::at(&name.span, self.source.shown(&path, fault)))?;
         let table = Arc::new(table);
         self.known.insert(path, Arc::clone(&table));
         Ok(table)

@@ -85,6 +85,23 @@ pub(super) fn movable(made: &MadeThings<'_>, bands: usize, camera: bool) -> Mova
     }
 }
 
+/// Names of surfaces and luminaires that stand in files outside the folder of the scene, as they are made of what
+/// these say.
+pub(super) fn names_outside(made: &MadeThings<'_>, movable: &MovableThings) -> Vec<String> {
+    let MadeThings { placed, makers, surfaces, placed_luminaires, .. } = *made;
+    let is_lamp_outside =
+        |area: &MemberNames| area.luminaire().is_some_and(|lamp| placed_luminaires[lamp].is_outside);
+    let is_outside = |(maker, area): (&Maker, &MemberNames)| match placed.get(maker.draft) {
+        Some(entry) => entry.is_outside,
+        None => is_lamp_outside(area),
+    };
+    let made = surfaces.iter().zip(makers.iter().zip(&movable.surfaces));
+    let made = made.filter(|(_, own)| is_outside(*own)).map(|(surface, _)| surface.name.clone());
+    let entries = placed.iter().filter(|own| own.is_outside).map(|own| own.name.clone());
+    let lamps = placed_luminaires.iter().filter(|own| own.is_outside).map(|own| own.name.clone());
+    made.chain(entries).chain(lamps).collect()
+}
+
 fn draft(file: &MotionFile, clock: Clock, bands: usize, source: &Source) -> Result<MoverDraft, Located> {
     let chosen = |names: &[At<String>]| -> Vec<NamedMember> {
         names

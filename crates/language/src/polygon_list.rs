@@ -5,14 +5,14 @@
 //! are left out.
 
 use radiosity_scene::{
-    Fault, FaultKind,
+    Fault,
     error::Located,
     place::{At, Span},
     tree::{Node, Value},
 };
 
 use crate::{
-    csv_rows::{Row, Unreadable, rows},
+    csv_rows::{Row, rows},
     fields::not_a_number,
 };
 
@@ -27,8 +27,7 @@ pub(super) fn from_list(polygons: &Node) -> Option<Node> {
 /// The tree of a scene with the polygons of a CSV text.
 pub(super) fn from_csv(text: &str) -> Result<Node, Located> {
     let mut polygons: Vec<(At<String>, Vec<Node>)> = Vec::new();
-    for (index, row) in rows(text.as_bytes()).enumerate() {
-        let row = row.map_err(unreadable)?;
+    for (index, row) in rows(text).enumerate() {
         if index == 0 && is_header(&row) {
             continue;
         }
@@ -51,7 +50,7 @@ pub(super) fn starts_csv(text: &str) -> bool {
     let is_vertex = |row: &Row| {
         row.fields.len() == COLUMNS.len() && row.fields[1..].iter().all(|field| field.parse::<f64>().is_ok())
     };
-    rows(text.as_bytes()).next().is_some_and(|row| row.is_ok_and(|row| is_header(&row) || is_vertex(&row)))
+    rows(text).next().is_some_and(|row| is_header(&row) || is_vertex(&row))
 }
 
 fn is_header(row: &Row) -> bool {
@@ -106,13 +105,6 @@ fn scene(surfaces: Vec<Node>, span: &Span) -> Node {
 
 fn key(name: &str, span: &Span) -> At<String> {
     At::new(name.to_owned(), span)
-}
-
-fn unreadable(row: Unreadable) -> Located {
-    let cause = format!("syntax error: {}", row.message);
-    let cure = "a row has a name and three numbers, parted by commas; a text with commas stands in quotes";
-    let fault = Fault::new(FaultKind::Syntax, cause, cure);
-    Located::at(&(row.start..row.start + 1), fault)
 }
 
 #[cfg(test)]

@@ -12,6 +12,7 @@ use radiosity_scene::{
     surfaces::{Surfaces, fitted_surfaces, unused_materials},
     tree::{Node, Value, entry},
 };
+use radiosity_work::listed::{LONG, listed};
 use radiosity_work::ranks::Ranks;
 
 use crate::builtin::{self, Builtin};
@@ -120,8 +121,8 @@ pub fn read(source: &Source) -> Result<Scene, SceneError> {
     let mut source = source.clone();
     let language = Language::of(&source);
     let trees = include::trees(&mut source, language);
-    let scene =
-        trees.and_then(|trees| built(trees, &source)).map_err(|located| located.in_source(&source))?;
+    let scene = trees.and_then(|trees| built(trees, &mut source));
+    let scene = scene.map_err(|located| located.in_source(&source))?;
     scene.at_moment_of(&source)
 }
 
@@ -138,8 +139,8 @@ pub fn read_with(source: &Source, settings: &[(&str, f64)]) -> Result<Scene, Sce
     let files = files.map_err(|located| located.in_source(&source))?;
     let names: BTreeSet<&str> = variable_names(&files).collect();
     let (own, groups): (Vec<_>, Vec<_>) = settings.iter().partition(|(name, _)| names.contains(name));
-    let source = source.set(own.iter().copied());
-    let scene = built(files, &source).map_err(|located| located.in_source(&source))?;
+    let mut source = source.set(own.iter().copied());
+    let scene = built(files, &mut source).map_err(|located| located.in_source(&source))?;
     let scene = scene.at_moment_of(&source)?;
     let refused = |fault| Err(SceneError::of(&*source.origin, fault));
     let known: Vec<String> = scene.light_groups().iter().map(|group| group.name.clone()).collect();
@@ -179,7 +180,7 @@ fn variable_names(files: &[FileTree]) -> impl Iterator<Item = &str> {
 }
 
 /// Trees → trees with formulas evaluated → as typed → valid.
-fn built(files: Vec<FileTree>, source: &Source) -> Result<Scene, Located> {
+fn built(files: Vec<FileTree>, source: &mut Source) -> Result<Scene, Located> {
     let (file, variables) = as_typed(files, source)?;
     assemble(file, variables, source)
 }
@@ -197,7 +198,11 @@ pub(crate) fn as_typed(
 }
 
 /// The valid scene of a scene file as typed.
-fn assemble(mut file: SceneFile, variables: Vec<(String, f64)>, source: &Source) -> Result<Scene, Located> {
+fn assemble(
+    mut file: SceneFile,
+    variables: Vec<(String, f64)>,
+    source: &mut Source,
+) -> Result<Scene, Located> {
     let is_grey = file.is_grey();
     let bands = validation::bands(file.bands.take(), is_grey, source)?;
     let unit = validation::unit(file.unit.take())?;
@@ -206,7 +211,7 @@ fn assemble(mut file: SceneFile, variables: Vec<(String, f64)>, source: &Source)
     let materials = validation::materials(std::mem::take(&mut file.materials), bands.len(), source)?;
     let sky = file.sky.as_ref().map(|sky| validation::sky(sky, bands.len())).transpose();
     let sky = sky.map_err(|error| error.within(|| "sky".into()))?;
-    let instances::Placed { surfaces, luminaires: lamps } =
+    let instances::Placed { surfaces, luminaires: lamps, outside } =
         instances::placed(file.content(), &file.parts, source)?;
     let (luminaires, luminous) = luminaires::luminaires(&lamps, bands.len(), source)?;
     let drafts = validation::surfaces(&surfaces, &materials, sky.as_ref(), bands.len(), source);
@@ -221,6 +226,8 @@ fn assemble(mut file: SceneFile, variables: Vec<(String, f64)>, source: &Source)
         luminaires: &luminaires,
     };
     let movable = motions::movable(&made, bands.len(), file.camera.is_some());
+    source.hide(outside);
+    source.hide(motions::names_outside(&made, &movable));
     let masks = masked_pairs(file.masks.iter().map(validation::mask).collect(), &movable.surfaces)?;
     let animation = motions::animation(&file, &movable, source)?;
     let camera = file.camera.map(validation::camera).transpose()?;
@@ -279,16 +286,16 @@ fn unknown_scene(name: &str) -> Fault {
 
 /// A setting of neither a variable nor a light group.
 fn unknown_setting(name: &str, variables: &[&str], groups: &[String], source: &Source) -> Fault {
-    let listed = |names: &mut dyn Iterator<Item = &str>| {
+    let own = |names: &mut dyn Iterator<Item = &str>| {
         names.filter(|name| source.may_list(name)).map(str::to_owned).collect::<Vec<_>>()
     };
-    let own = [listed(&mut variables.iter().copied()), listed(&mut groups.iter().map(String::as_str))];
+    let own = [own(&mut variables.iter().copied()), own(&mut groups.iter().map(String::as_str))];
     let near = nearest(name, own.iter().flatten().map(String::as_str));
     let near = near.map(|near| format!("did you mean {near:?}? ")).unwrap_or_default();
     let is_whole = own[0].len() + own[1].len() == variables.len() + groups.len();
     let others = if is_whole { "" } else { "; others stand in files outside the folder of the scene" };
     let [variables, groups] =
-        own.map(|names| if names.is_empty() { "none".to_owned() } else { names.join(", ") });
+        own.map(|names| if names.is_empty() { "none".to_owned() } else { listed(&names, LONG) });
     let cure = format!("{near}variables of this scene: {variables}; light groups: {groups}{others}");
     let cause = format!("there is no variable or light group {name:?}");
     Fault::new(FaultKind::UnknownName, cause, cure)

@@ -55,7 +55,7 @@ pub(super) fn pattern(file: &PatternFile, bands: usize, source: &Source) -> Resu
 fn read(path: &str, coding: Option<Coding>, source: &Source) -> Result<Picture, Fault> {
     let bytes = source.picture(path).ok_or_else(|| include::no_files(path))?;
     let read = picture::read(&bytes, coding, MOST_KEPT);
-    read.map_err(|fault| include::shown(path, bad_picture(path, &fault.cause, &fault.cure), source))
+    read.map_err(|fault| source.shown(path, bad_picture(path, &fault.cause, &fault.cure)))
 }
 
 /// A picture that cannot be taken for a pattern.

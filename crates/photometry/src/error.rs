@@ -16,12 +16,22 @@ pub struct Refusal {
     pub cause: String,
     /// Cure, without a full stop; empty where the cause says so.
     pub cure: String,
+    /// Other files, as they were named, words of which the cause or the cure may quote.
+    pub quoted: Vec<String>,
 }
 
 impl Refusal {
     /// A refusal whose place and file are added later.
     pub fn new(cause: impl Into<String>, cure: impl Into<String>) -> Self {
-        Self { file: String::new(), place: None, cause: cause.into(), cure: cure.into() }
+        let (cause, cure) = (cause.into(), cure.into());
+        Self { file: String::new(), place: None, cause, cure, quoted: Vec::new() }
+    }
+
+    /// This refusal, which may quote words of other files.
+    #[must_use]
+    pub fn quoting(mut self, files: impl IntoIterator<Item = impl Into<String>>) -> Self {
+        self.quoted.extend(files.into_iter().map(Into::into));
+        self
     }
 
     /// This refusal at `place`, unless it has one or is that of a file.

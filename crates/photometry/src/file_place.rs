@@ -3,7 +3,7 @@
 use std::fmt;
 
 /// The place of something in a file.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum FilePlace {
     /// A line of a text, counted from 1.
     Line(usize),

@@ -17,18 +17,6 @@ pub const MOST_BYTES: u64 = 1 << 30;
 pub const CURE_OF_OUTSIDE: &str =
     "put a copy of it into the folder of the scene or below, and give its path from there";
 
-/// Cure of a fault in a file outside the folder of the scene, whose content messages do not show.
-const CURE_OF_HIDDEN: &str = "look at that place in the file, or put a copy of it into the folder of the scene to be told what it says";
-
-/// Kind of a fault in a file of another program.
-pub const FOREIGN: &str = "content that cannot be followed";
-
-/// The refusal of a file outside the folder of the scene for a fault of this kind, which shows nothing of its content.
-pub fn hidden(kind: &str) -> Refusal {
-    let cause = format!("{kind}, which is not shown, as the file is outside the folder of the scene");
-    Refusal::new(cause, CURE_OF_HIDDEN)
-}
-
 /// How far a scene may reach for files.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Reach {
@@ -126,17 +114,6 @@ impl Folder {
     /// Names of the files that were read outside the folder, as the scene names them.
     pub fn outside(&self) -> BTreeSet<String> {
         self.outside.borrow().clone()
-    }
-
-    /// A refusal which shows nothing of the content of a file outside the folder.
-    pub fn discreet(&self, refusal: Refusal) -> Refusal {
-        match self.outside.borrow().contains(&refusal.file) {
-            true => {
-                let Refusal { cause, cure, .. } = hidden(FOREIGN);
-                Refusal { cause, cure, ..refusal }
-            }
-            false => refusal,
-        }
     }
 
     /// The file at `path` with links followed, and whether it is outside. A file that is not there is where the
@@ -291,20 +268,5 @@ mod tests {
         assert!(matches!(here.bytes("link/c"), Err(Unread::Outside)));
         assert!(matches!(here.bytes("link/x"), Err(Unread::Outside)));
         assert_eq!(here.bytes("near").expect("it is inside"), b"B");
-    }
-
-    #[test]
-    fn a_refusal_of_a_file_outside_shows_nothing_of_it() {
-        let house = house();
-        let folder = Folder::of_scene(&house.path().join("room/scene.obj"), Reach::Anywhere);
-        folder.bytes("../other/c").expect("it is there");
-        let refusal =
-            |file: &str| folder.discreet(Refusal::new("'C' is no word", "take it out").in_line(file, 7));
-        assert_eq!(refusal("scene.obj").cause, "'C' is no word");
-        let told = refusal("../other/c");
-        assert!(
-            told.to_string().starts_with("../other/c:7: content that cannot be followed, which is not shown")
-                && !told.cause.contains('C')
-        );
     }
 }

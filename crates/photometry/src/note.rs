@@ -6,7 +6,7 @@ use crate::file_place::FilePlace;
 use crate::note_text::NoteText;
 
 /// Note on a part that was left out or changed by reading: "specular reflection is left out".
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct Note {
     /// Text of the note, without a full stop.
     pub text: NoteText,
@@ -35,12 +35,17 @@ impl Note {
         file: Option<&Arc<str>>,
         place: Option<FilePlace>,
     ) {
-        let text = text.into();
-        let is_room = notes.len() < MOST || notes.iter().any(|note| note.text == text);
-        let text = if is_room { text } else { "other things that are not known are left out".into() };
-        match notes.iter_mut().find(|note| note.text == text) {
-            Some(note) => note.count += 1,
-            None => notes.push(Note { text, file: file.cloned(), place, count: 1 }),
+        Note { text: text.into(), file: file.cloned(), place, count: 1 }.put(notes);
+    }
+
+    /// Puts this note among others, as [`Note::add`] does.
+    pub fn put(mut self, notes: &mut Vec<Note>) {
+        if notes.len() >= MOST && notes.iter().all(|note| note.text != self.text) {
+            self.text = "other things that are not known are left out".into();
+        }
+        match notes.iter_mut().find(|note| note.text == self.text) {
+            Some(note) => note.count += self.count,
+            None => notes.push(self),
         }
     }
 }

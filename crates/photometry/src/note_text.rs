@@ -7,7 +7,7 @@ use std::ops::{Deref, Range};
 const HIDDEN: &str = "…";
 
 /// Words of a note, without a full stop; names and words that a file says in it are marked, and can be hidden.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq, Eq, Hash)]
 pub struct NoteText {
     text: String,
     /// Bytes of the text that a file says, in their order.
@@ -43,6 +43,25 @@ impl NoteText {
         self.text += &other.text;
         self.quoted.extend(other.quoted.iter().map(|own| start + own.start..start + own.end));
         self
+    }
+
+    /// Words in which double quotes stand about what a file says alone, as `{:?}` writes them.
+    pub fn with_quotes(words: impl Into<String>) -> Self {
+        let text = words.into();
+        let (mut quoted, mut start, mut is_escaped) = (Vec::new(), None, false);
+        for (at, sign) in text.char_indices() {
+            match (sign, start) {
+                _ if is_escaped => is_escaped = false,
+                ('\\', Some(_)) => is_escaped = true,
+                ('"', Some(begin)) => {
+                    quoted.push(begin..at + 1);
+                    start = None;
+                }
+                ('"', None) => start = Some(at),
+                _ => {}
+            }
+        }
+        Self { text, quoted }
     }
 
     /// All of it.
@@ -85,6 +104,13 @@ impl fmt::Display for NoteText {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn what_stands_in_quotes_is_hidden_with_its_quotes() {
+        let text = format!("{:?} lies on {:?}; it was raised", "a \"b\" \\", "c\\");
+        assert_eq!(NoteText::with_quotes(text).without_quotes(), "… lies on …; it was raised");
+        assert_eq!(NoteText::with_quotes("it's 'own'").without_quotes(), "it's 'own'");
+    }
 
     #[test]
     fn what_a_file_says_is_hidden_whatever_its_signs() {

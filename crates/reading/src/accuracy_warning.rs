@@ -9,6 +9,9 @@ use radiosity_work::wording::{Wording, option, set, words};
 /// Accuracy that rays reach with fewer of them, over the error that they leave. Chosen: as that error is known.
 const REACHED: f64 = 2.0;
 
+/// Bound of accuracies that may be asked for: with one digit they are below 1.
+const LARGEST: f64 = 0.95;
+
 /// Words for the error that is left in the transfers between two surfaces, and the cure.
 pub fn missed(worst: &WorstError, [one, other]: [&str; 2]) -> Wording {
     let place = match one == other {
@@ -17,12 +20,16 @@ pub fn missed(worst: &WorstError, [one, other]: [&str; 2]) -> Wording {
     };
     let cure = match worst.by_rays {
         true if worst.asked > FINEST_BY_RAYS => {
-            let reached = format!("{:.0e}", REACHED * worst.error);
-            words("a smaller ")
-                + option("eps")
-                + " sends more rays, and "
-                + set("shadow-eps", reached)
-                + " asks for no more than these reach"
+            let reached = REACHED * worst.error;
+            let more = words("a smaller ") + option("eps") + " sends more rays";
+            match reached < LARGEST {
+                true => {
+                    let enough = set("shadow-eps", format!("{reached:.0e}"));
+                    more + ", and " + enough + " asks for no more than these reach"
+                }
+                // No accuracy is as bad.
+                false => more,
+            }
         }
         true => words("rays cannot do better, an ") + option("eps") + " below 1e-5 sends no more of them",
         false => words("subdivide these surfaces, or ask for less"),
@@ -50,4 +57,21 @@ pub fn missed_by_rays(factors: &ViewFactors, eps: f64) -> Option<Wording> {
         factors.names.len()
     );
     Some(words(told) + option("rays") + ", or take " + set("transport", "exact") + ", which takes its time")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Accuracies of 1 and above are refused, and none is advised.
+    #[test]
+    fn no_accuracy_is_advised_that_is_refused() {
+        for (error, is_advised) in [(0.3, true), (0.47, true), (0.49, false), (1.0, false)] {
+            let worst = WorstError { pair: [0, 1], error, asked: 1e-3, by_rays: true };
+            let told = missed(&worst, ["floor", "ball"]).to_string();
+            assert!(told.contains("a smaller --eps sends more rays"), "{told}");
+            assert_eq!(told.contains("--shadow-eps"), is_advised, "{told}");
+            assert!(!told.contains("--shadow-eps 1e0"), "{told}");
+        }
+    }
 }

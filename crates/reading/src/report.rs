@@ -237,7 +237,7 @@ impl Report {
     pub fn take_achieved(&mut self, solved: &Solved) {
         let Some(achieved) = &solved.achieved else { return };
         self.accuracy_estimate = achieved.estimate;
-        self.warnings.extend(missed_accuracy(achieved));
+        self.warnings.extend(missed_accuracy(&solved.scene, &solved.options, achieved));
     }
 
     /// Adds the errors of readings by rays that were to err by `asked`, with a warning where they err by much

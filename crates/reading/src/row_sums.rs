@@ -1,11 +1,11 @@
 //! Row sums Σ_j F_ij of view factors: whether a scene is closed, and whether a surface sends more than it
 //! has.
 
-use radiosity_kernel::Accuracy;
 use radiosity_scene::Scene;
-use radiosity_solve::view_factors::ViewFactors;
+use radiosity_solve::view_factors::{Options, ViewFactors};
+use radiosity_visibility::Shadows;
 use radiosity_visibility::inspection::Regions;
-use radiosity_work::wording::{command, option, words};
+use radiosity_work::wording::{command, option, set, words};
 
 use crate::warning::Warning;
 use radiosity_work::digits::decimals;
@@ -31,6 +31,8 @@ pub struct RowSums {
     pub tolerance: f64,
     /// Whether the surfaces are known to bound closed regions with their fronts ([`Regions`]).
     pub are_of_closed_regions: bool,
+    /// Whether surfaces see each other through others.
+    pub is_shadowless: bool,
 }
 
 /// The row sum of one surface.
@@ -43,8 +45,9 @@ pub struct RowSum {
 }
 
 impl RowSums {
-    /// The row sums of the `factors` of `scene` that were to be found to this accuracy.
-    pub fn of(scene: &Scene, factors: &ViewFactors, accuracy: Accuracy) -> Self {
+    /// The row sums of the `factors` of `scene` that were found with these options.
+    pub fn of(scene: &Scene, factors: &ViewFactors, options: &Options) -> Self {
+        let accuracy = options.accuracy;
         let is_closed =
             |regions: Regions| (0..scene.surfaces.len()).all(|surface| regions.is_closed(surface));
         let sums = factors.row_sums();
@@ -59,6 +62,7 @@ impl RowSums {
             losing: sums.iter().filter(|sum| **sum < 1.0 - tolerance).count(),
             tolerance,
             are_of_closed_regions: Regions::of(scene).is_some_and(is_closed),
+            is_shadowless: options.shadows == Shadows::Off,
         }
     }
 
@@ -95,12 +99,18 @@ impl RowSums {
     pub fn warning(&self) -> Option<Warning> {
         let RowSum { surface, sum } = &self.most;
         let message = || {
-            words(format!("surface '{surface}' sends {:.2} % more than it has: lower ", 100.0 * (sum - 1.0)))
-                + option("eps")
-                + " or "
-                + option("shadow-eps")
-                + ", or look for surfaces that pass through each other with "
-                + command("check")
+            let cure = match self.is_shadowless {
+                true => words("leave ") + set("shadows", "off") + " out, which lets light through surfaces",
+                false => {
+                    words("lower ")
+                        + option("eps")
+                        + " or "
+                        + option("shadow-eps")
+                        + ", or look for surfaces that pass through each other with "
+                        + command("check")
+                }
+            };
+            words(format!("surface '{surface}' sends {:.2} % more than it has: ", 100.0 * (sum - 1.0))) + cure
         };
         let warning = || Warning {
             surface: Some(surface.clone()),

@@ -83,7 +83,7 @@ impl TransferRequest {
     }
 
     /// Accuracies of view factors and their shadows.
-    pub fn accuracy(&self) -> Accuracy {
+    fn accuracy(&self) -> Accuracy {
         self.accuracy_or(FACTORS)
     }
 

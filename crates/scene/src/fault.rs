@@ -3,8 +3,10 @@
 use std::{error::Error, fmt, io, sync::Arc};
 
 use radiosity_geom::ShapeError;
-use radiosity_photometry::files::{FOREIGN, hidden};
-use radiosity_work::wording::Wording;
+use radiosity_work::{
+    listed::{LONG, listed},
+    wording::Wording,
+};
 use strsim::damerau_levenshtein;
 
 use crate::place::Line;
@@ -107,7 +109,7 @@ impl FaultKind {
     pub(crate) fn title(self) -> &'static str {
         match self {
             Self::Unreadable(_) | Self::Include => "a file that cannot be read",
-            Self::Foreign => FOREIGN,
+            Self::Foreign => "content that cannot be followed",
             Self::Syntax => "a syntax error",
             Self::UnknownKey => "an unknown key",
             Self::MissingKey => "a missing key",
@@ -150,8 +152,11 @@ impl Fault {
     /// The fault by its kind alone: it quotes nothing of a file outside the scene's folder.
     #[must_use]
     pub fn discreet(self) -> Self {
-        let refusal = hidden(self.kind.title());
-        Self::new(self.kind, refusal.cause, refusal.cure)
+        let kind = self.kind.title();
+        let cause =
+            format!("{kind}, which is not shown, as it stands in a file outside the folder of the scene");
+        let cure = "look at that place in the file, or put a copy of it into the folder of the scene to be told what it says";
+        Self::new(self.kind, cause, cure)
     }
 
     /// The fault with those names of the scene alone that may be shown: others stand in files outside its folder.
@@ -371,7 +376,10 @@ impl Fault {
         match &self.cure {
             Cure::Told => None,
             Cure::Words(words) => Some(words.clone()),
-            Cure::Choice(own) => Some(choice(&own.name, &own.known, &own.list).into()),
+            Cure::Choice(own) => {
+                let most = if own.from == Vocabulary::Scene { LONG } else { own.known.len() };
+                Some(chosen(&own.name, &own.known, &own.list, most).into())
+            }
         }
     }
 
@@ -398,8 +406,13 @@ impl Error for Fault {}
 
 /// Advice on an unknown name: the nearest known name, if one is near, and the list of all.
 pub fn choice(name: &str, known: &[impl AsRef<str>], what: &str) -> String {
+    chosen(name, known, what, known.len())
+}
+
+/// Such advice with so many names at the most.
+fn chosen(name: &str, known: &[impl AsRef<str>], what: &str, most: usize) -> String {
     let known: Vec<&str> = known.iter().map(AsRef::as_ref).collect();
-    let list = format!("{what}: {}", known.join(", "));
+    let list = format!("{what}: {}", listed(&known, most));
     match nearest(name, known.iter().copied()) {
         Some(near) => format!("did you mean {near:?}? {list}"),
         None => list,

@@ -55,6 +55,11 @@ impl MemberNames {
         named.within(instances.unwrap_or_default())
     }
 
+    /// Index of the luminaire whose area it is, if it is one.
+    pub fn luminaire(&self) -> Option<usize> {
+        self.luminaire
+    }
+
     /// Its own name, and the name of the entry that made it.
     pub(super) fn own(&self) -> Vec<&String> {
         self.names.iter().collect()

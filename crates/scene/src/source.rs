@@ -45,6 +45,8 @@ pub struct Source {
     reach: Option<Reach>,
     /// The files that were read outside its folder.
     outside: Arc<BTreeSet<String>>,
+    /// Names that stand in these files alone, and names that the scene makes of them.
+    hidden: Arc<BTreeSet<String>>,
     /// Whether it was read as a plain list of polygons, which has no materials.
     is_polygon_list: bool,
     content: Content,
@@ -104,6 +106,7 @@ impl Source {
             pictures: Arc::default(),
             reach: None,
             outside: Arc::default(),
+            hidden: Arc::default(),
             is_polygon_list: false,
             content,
         }
@@ -237,21 +240,30 @@ impl Source {
         fault.listing(|name| self.may_list(name))
     }
 
-    /// Whether messages may list a name: it stands in the text itself, or in one that it includes from its folder.
-    pub fn may_list(&self, word: &str) -> bool {
-        if self.outside.is_empty() {
-            return true;
-        }
-        // The text of an import holds what all its files say.
-        if self.imported.is_some() {
-            return false;
-        }
-        let is_own = match &self.content {
-            Content::Text(text, _) => text.contains(word),
-            Content::Tree(tree) => tree.value.says(word),
-        };
-        let inside = self.included.iter().filter(|own| !self.outside.contains(&*own.origin));
-        is_own || inside.map(|own| &own.text).any(|text| text.contains(word))
+    /// Whether messages may list a name: it does not stand in files outside its folder alone.
+    pub fn may_list(&self, name: &str) -> bool {
+        self.outside.is_empty() || !self.hidden.contains(name) && !self.is_joined()
+    }
+
+    /// Whether the text holds what files outside its folder say, as that of an import does.
+    fn is_joined(&self) -> bool {
+        let is_text = |file: &String| self.included.iter().any(|own| *own.origin == **file);
+        self.outside.iter().any(|file| !is_text(file) && !self.pictures.contains_key(file))
+    }
+
+    /// Keeps names out of the lists of messages.
+    pub fn hide(&mut self, names: impl IntoIterator<Item = String>) {
+        Arc::make_mut(&mut self.hidden).extend(names);
+    }
+
+    /// Whether `index` stands in a file outside its folder.
+    pub fn is_outside(&self, index: usize) -> bool {
+        !self.outside.is_empty() && self.outside.contains(self.origin_at(index))
+    }
+
+    /// A fault in the content of `file`; of one outside its folder it shows nothing.
+    pub fn shown(&self, file: &str, fault: Fault) -> Fault {
+        if self.outside.contains(file) { fault.discreet() } else { fault }
     }
 
     /// Adds a text that it includes. Returns the place of its first byte in the whole source.
@@ -303,8 +315,11 @@ impl Source {
                 let span = span.start - own.base..span.end.saturating_sub(own.base);
                 let place = own.index.place(&own.origin, &own.text, &span);
                 // Messages show nothing of what stands outside the folder.
-                let is_outside = self.outside.contains(&*own.origin);
-                Some(if is_outside { Place { text: String::new(), ..place } } else { place })
+                Some(if self.outside.contains(&*own.origin) {
+                    Place { text: String::new(), ..place }
+                } else {
+                    place
+                })
             }
             (None, Content::Text(text, lines)) => Some(lines.place(&self.origin, text, span)),
             (None, Content::Tree(_)) => None,
@@ -328,7 +343,7 @@ impl Located {
     /// The error with its place looked up in `source`.
     pub fn in_source(self, source: &Source) -> SceneError {
         let Located { fault, span, owner } = match &self.span {
-            Some(span) if source.outside.contains(source.origin_at(span.start)) => self.discreet(),
+            Some(span) if source.is_outside(span.start) => self.discreet(),
             _ => Located { fault: source.listing(self.fault), ..self },
         };
         let (place, owner) = match span {

@@ -1,7 +1,7 @@
 //! A scene as a tree of values: what TOML, JSON and code have in common. Each value knows its place, bytes of
 //! a text or a number that stands for it (`numbered`).
 
-use std::{borrow::Cow, sync::Arc};
+use std::{borrow::Cow, collections::BTreeSet, sync::Arc};
 
 use radiosity_geom::DVec3;
 
@@ -44,16 +44,18 @@ pub struct Formula {
 }
 
 impl Value {
-    /// Whether a word stands in a text or a key of it.
-    pub(crate) fn says(&self, word: &str) -> bool {
+    /// Adds its keys and texts to these words.
+    pub fn add_words(&self, words: &mut BTreeSet<String>) {
         match self {
-            Self::Text(text) => text.contains(word),
-            Self::Formula(formula) => formula.text.contains(word),
-            Self::List(items) => items.iter().any(|item| item.value.says(word)),
+            Self::Text(text) => drop(words.insert(text.clone())),
+            Self::List(items) => items.iter().for_each(|item| item.value.add_words(words)),
             Self::Table(entries) => {
-                entries.iter().any(|(key, item)| key.value.contains(word) || item.value.says(word))
+                for (key, item) in entries {
+                    words.insert(key.value.clone());
+                    item.value.add_words(words);
+                }
             }
-            Self::Number(_) | Self::Truth(_) | Self::Points(_) | Self::Other(_) => false,
+            Self::Formula(_) | Self::Number(_) | Self::Truth(_) | Self::Points(_) | Self::Other(_) => {}
         }
     }
 }

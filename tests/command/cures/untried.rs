@@ -21,8 +21,10 @@ pub(super) enum Why {
     Ranks,
     /// Programs in Rust and Python alone draw it; the command refuses it before, or cannot say it.
     Code,
-    /// It takes a run of many seconds, or its row is still to be written.
+    /// It takes a run of seconds.
     Long,
+    /// It takes larger errors of transfers than any small scene is known to leave.
+    Errors,
     /// It takes files of bits, which tests of the readers change byte by byte.
     Bits,
     /// It is a part of other messages, or has no cure.
@@ -107,22 +109,14 @@ pub(super) const UNTRIED: &[Untried] = &[
     Untried { words: "place it a millionth", why: Why::Code },
     Untried { words: "leave the transmittance of the material out: heat meets", why: Why::Code },
     Untried { words: "older programs made them again", why: Why::Code },
-    Untried { words: "too few to be judged", why: Why::Long },
-    Untried { words: "points from standard input cannot be told", why: Why::Long },
     Untried { words: "MGF has no words for a torus", why: Why::Code },
     Untried { words: "rays cannot do better", why: Why::Long },
     Untried { words: " below 1e-5 sends no more", why: Why::Long },
-    Untried { words: "subdivide these surfaces, or ask for less", why: Why::Long },
-    Untried { words: "the balance by itself tells", why: Why::Long },
-    Untried { words: "the method tells an error", why: Why::Long },
-    Untried { words: "narrow beams and patches", why: Why::Long },
-    Untried { words: "direct light, which is split off, falls", why: Why::Long },
-    Untried { words: "there is no finer run to try", why: Why::Long },
-    Untried { words: "walks end where each reading", why: Why::Long },
-    Untried { words: "rays leave an unknown error", why: Why::Long },
-    Untried { words: "% more than it has: lower", why: Why::Long },
-    Untried { words: "choose fewer pairs in [[masks]]", why: Why::Long },
-    Untried { words: "a row has a name and three numbers", why: Why::Long },
+    Untried { words: "begin with a higher ", why: Why::Long },
+    Untried { words: ", or a smaller ", why: Why::Errors },
+    Untried { words: "look for surfaces that pass through each other", why: Why::Errors },
+    Untried { words: "subdivide these surfaces, or ask for less", why: Why::Errors },
+    Untried { words: "rays leave an unknown error", why: Why::Errors },
     Untried { words: "this is no GLB", why: Why::Bits },
     Untried { words: "its header says {length}", why: Why::Bits },
     Untried { words: "the first chunk is not JSON", why: Why::Bits },

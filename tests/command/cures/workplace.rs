@@ -94,6 +94,75 @@ emitter = "plate"
 receiver = "floor"
 "#;
 
+/// A narrow beam down to a floor.
+const BEAM: &str = r#"[[luminaires]]
+name = "beam"
+position = [0.5, 0.5, 0.9]
+aim = [0.05, 0.02, -1]
+spot = { angle = 20, edge = 1 }
+flux = 1
+"#;
+
+/// A lamp near a floor, and its back.
+const TORCH: &str = r#"[materials.lamp]
+reflectance = 0
+emission = 1
+[[surfaces]]
+name = "torch"
+material = "lamp"
+quad = { vertices = [[0.5, 0.5, 0.02], [0.5, 0.6, 0.02], [0.6, 0.6, 0.02], [0.6, 0.5, 0.02]] }
+[[surfaces]]
+name = "hood"
+material = "lamp"
+quad = { vertices = [[0.5, 0.5, 0.0201], [0.6, 0.5, 0.0201], [0.6, 0.6, 0.0201], [0.5, 0.6, 0.0201]] }
+"#;
+
+/// A lamp over a shelf in a room that reflects nearly all light, every pair of which has a mask of one cell.
+const SHELF: &str = r#"bands = ["grey"]
+[camera]
+eye = [1.9, 1.9, 0.5]
+target = [0, 0, 1]
+[materials.white]
+reflectance = 0.9999
+[materials.lamp]
+reflectance = 0
+emission = 100
+[[surfaces]]
+name = "room"
+material = "white"
+box = { origin = [-2, -2, 0], size = [4, 4, 3], inward = true }
+[[surfaces]]
+name = "shelf"
+material = "white"
+two_sided = true
+quad = { vertices = [[-0.5, -0.5, 1], [0.5, -0.5, 1], [0.5, 0.5, 1], [-0.5, 0.5, 1]] }
+[[surfaces]]
+name = "lamp"
+material = "lamp"
+quad = { vertices = [[-0.3, -0.3, 2], [-0.3, 0.3, 2], [0.3, 0.3, 2], [0.3, -0.3, 2]] }
+[[masks]]
+emitter = "*"
+receiver = "*"
+cells = 1
+"#;
+
+/// Two plates that face each other in part, over a narrow gap.
+const GAP: &str = r#"bands = ["grey"]
+[materials.a]
+reflectance = 0.9
+emissivity = 0.1
+[[surfaces]]
+name = "hot"
+material = "a"
+temperature = 900
+quad = { vertices = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]] }
+[[surfaces]]
+name = "lid"
+material = "a"
+temperature = 300
+quad = { vertices = [[0.9, 0, 0.02], [0.9, 1, 0.02], [2, 1, 0.02], [2, 0, 0.02]] }
+"#;
+
 const OVEN: &str = r#"bands = ["grey"]
 [materials.a]
 reflectance = 0.5
@@ -180,11 +249,24 @@ fn scenes() -> Vec<(&'static str, String)> {
     let two_bands = with(&flat, "bands = [\"grey\"]", "bands = [\"a\", \"b\"]");
     let coloured = with(OVEN, "bands = [\"grey\"]", "bands = [\"grey\", \"red\"]");
     let coloured = with(&coloured, "reflectance = 0.5", "reflectance = [0.5, 0.2]");
+    let dim = with(CUBE, "emission = 1\n", "");
+    let beam = format!("{dim}{BEAM}");
+    let lid = "[[0, 0, 1], [0, 1, 1], [1, 1, 1], [1, 0, 1]]";
     vec![
         ("room.toml", plates.clone()),
         ("blank.toml", blank.clone()),
         ("cube.toml", CUBE.to_owned()),
         ("mirror.toml", with(CUBE, "reflectance = 0.5", "reflectance = 0.99999")),
+        ("endless.toml", with(CUBE, "reflectance = 0.5", "reflectance = 0.999999")),
+        ("coarse.toml", with(plates, "quad =", "order = 0\nquad =")),
+        ("distant.toml", with(plates, lid, &lid.replace(" 1]", " 30]"))),
+        ("beam.toml", beam.clone()),
+        ("beam-cut.toml", with(&beam, "box =", "subdivide = [4, 4]\nbox =")),
+        ("torch.toml", format!("{dim}{TORCH}")),
+        ("unsettled.toml", SHELF.to_owned()),
+        ("finer.toml", with(SHELF, "cells = 1", "cells = 3")),
+        ("settled.toml", with(SHELF, "emitter = \"*\"", "emitter = \"lamp\"")),
+        ("gap.toml", GAP.to_owned()),
         ("hung.toml", ROOM.to_owned()),
         ("moves.toml", MOVES.to_owned()),
         ("spun.toml", with(MOVES, "translate = {", "scale = 2\ntranslate = {")),
@@ -285,11 +367,15 @@ fn foreign() -> Vec<(&'static str, String)> {
     ]
 }
 
+/// A point in the middle of a unit cube, which is also what standard input holds.
+const POINT_ROW: &str = "0.5,0.5,0.5,0,0,1\n";
+
 /// Points, and what is none.
 fn points() -> Vec<(&'static str, String)> {
     let header = |names: &str| format!("{names}\n0,0,0,0,0,0,1\n");
     vec![
-        ("points.csv", "0.5,0.5,0.5,0,0,1\n".to_owned()),
+        ("points.csv", POINT_ROW.to_owned()),
+        ("middle.csv", "0.5,0.5,15,1,0,0\n".to_owned()),
         ("far.csv", "0.5,0.5,0.5,0,0,1\n9,0,0,0,0,1\n".to_owned()),
         ("semi.csv", "0.5;0.5;0.5;0;0;1\n".to_owned()),
         ("few.csv", "0.5,0.5,0.5\n".to_owned()),
@@ -328,5 +414,5 @@ pub(super) fn words(line: &str) -> Vec<&str> {
 
 /// Exit status and output of a command in such a folder.
 pub(super) fn typed(folder: &Path, line: &str) -> std::process::Output {
-    program::radiosity(folder, &words(line))
+    program::fed(folder, &words(line), POINT_ROW)
 }

@@ -1,6 +1,6 @@
 //! Why heat cannot be read by walks.
 
-use radiosity_work::listed::listed;
+use radiosity_work::listed::quoted;
 use radiosity_work::wording::{Wording, words};
 
 /// Why the heat of a scene cannot be read by walks.
@@ -49,9 +49,4 @@ impl HeatFault {
             Self::NoLevel { .. } => "give one of them a temperature",
         })
     }
-}
-
-/// Names in quotes, the first ones of many.
-fn quoted(names: &[String]) -> String {
-    listed(&names.iter().map(|name| format!("{name:?}")).collect::<Vec<_>>())
 }

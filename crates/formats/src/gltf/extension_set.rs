@@ -1,14 +1,15 @@
-//! Reading of the extensions at a place of a glTF file: values of those that are followed, names of the others, whose
-//! values may be anything.
+//! Reading of the extensions at a place of a glTF file: values of those that are followed, and the others by their
+//! names, whose values may be anything.
 
 use std::collections::BTreeMap;
 use std::fmt;
 use std::marker::PhantomData;
 
 use serde::de::{Deserializer, IgnoredAny, MapAccess, SeqAccess, Visitor};
+use serde_json::value::RawValue;
 
 /// Extensions at a place of a file, by their names.
-pub(super) type Extensions = BTreeMap<String, IgnoredAny>;
+pub(super) type Extensions = BTreeMap<String, Box<RawValue>>;
 
 /// The extensions at a place of a file.
 pub(super) trait ExtensionSet: Default {
@@ -47,8 +48,8 @@ impl<'de, E: ExtensionSet> Visitor<'de> for SetVisitor<E> {
         let mut set = E::default();
         while let Some(name) = map.next_key::<String>()? {
             if !set.take(&name, &mut map)? {
-                let ignored = map.next_value()?;
-                set.others().insert(name, ignored);
+                let value = map.next_value()?;
+                set.others().insert(name, value);
             }
         }
         Ok(set)

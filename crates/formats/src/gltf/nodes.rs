@@ -11,8 +11,10 @@ use serde_json::value::RawValue;
 use super::accessor::{Accessors, Data, NumberUse};
 use super::extensions;
 use super::json::{Json, unlisted};
+use super::material::Finish;
 use super::scheme::{self, Node, Primitive, Root};
 use super::triangles::{Mode, Triangles};
+use crate::face_normals::FaceNormals;
 use crate::mesh::{Coat, Mesh};
 use crate::model::{Camera, Sides};
 use crate::names::UniqueNames;
@@ -28,8 +30,8 @@ pub(super) struct Nodes<'a, 'b> {
     accessors: Accessors<'a, 'b>,
     mesh: &'b mut Mesh,
     names: UniqueNames,
-    /// Sides of the surfaces of each material.
-    sides: &'b [Sides],
+    /// Sides and losses of each material.
+    finishes: Vec<Finish>,
     /// The meshes that were parsed, by index.
     meshes: HashMap<usize, Rc<Parts>>,
     visits: usize,
@@ -54,7 +56,7 @@ impl<'a, 'b> Nodes<'a, 'b> {
         json: &'b Json<'a>,
         root: &'b Root<'a>,
         accessors: Accessors<'a, 'b>,
-        sides: &'b [Sides],
+        finishes: Vec<Finish>,
         mesh: &'b mut Mesh,
     ) -> Self {
         Nodes {
@@ -63,7 +65,7 @@ impl<'a, 'b> Nodes<'a, 'b> {
             accessors,
             mesh,
             names: UniqueNames::default(),
-            sides,
+            finishes,
             meshes: HashMap::new(),
             visits: 0,
         }
@@ -240,7 +242,8 @@ impl<'a, 'b> Nodes<'a, 'b> {
             let corners = corners_of(vertices, &triangles.points, world);
             if let (Some(normals), Ok(corners)) = (&normals, &corners) {
                 let own = vertices.iter().filter_map(|vertex| normals.point(*vertex));
-                self.mesh.note_rounding(corners, own.map(|normal| turned * normal), place);
+                let normals = own.map(|normal| turned * normal).collect();
+                self.mesh.note_normals(&FaceNormals { corners, normals }, coat.sides, place);
             }
             let added = corners.and_then(|corners| self.mesh.face(corners, coat, place));
             added.map_err(|refusal| refusal.at(place))?;
@@ -260,15 +263,19 @@ impl<'a, 'b> Nodes<'a, 'b> {
         extensions::note(&primitive.extensions, self.root, place, &mut self.mesh.model);
     }
 
-    /// Object, material and sides that all faces of a primitive have. Without a material, surfaces have none.
-    fn coat(&self, material: Option<usize>, object: usize, place: FilePlace) -> Result<Coat, Refusal> {
+    /// Object, material and sides that all faces of a primitive have; the first one tells what of the material is left
+    /// out. Without a material, surfaces have none.
+    fn coat(&mut self, material: Option<usize>, object: usize, place: FilePlace) -> Result<Coat, Refusal> {
         let Some(index) = material else {
             return Ok(Coat { object, material, sides: Sides::Front });
         };
-        match self.sides.get(index) {
-            Some(sides) => Ok(Coat { object, material, sides: *sides }),
-            None => Err(unlisted("material", index, self.sides.len()).at(place)),
-        }
+        let count = self.finishes.len();
+        let Some(finish) = self.finishes.get_mut(index) else {
+            return Err(unlisted("material", index, count).at(place));
+        };
+        let left_out = std::mem::take(&mut finish.left_out);
+        left_out.into_iter().for_each(|note| note.put(&mut self.mesh.model.notes));
+        Ok(Coat { object, material, sides: finish.sides })
     }
 }
 

@@ -33,6 +33,12 @@ pub(super) struct Root<'a> {
     pub(super) materials: List<'a>,
     #[serde(borrow, default)]
     pub(super) cameras: List<'a>,
+    #[serde(borrow, default)]
+    pub(super) textures: List<'a>,
+    #[serde(borrow, default)]
+    pub(super) images: List<'a>,
+    #[serde(borrow, default)]
+    pub(super) samplers: List<'a>,
     #[serde(default)]
     pub(super) animations: Vec<IgnoredAny>,
     #[serde(default)]
@@ -234,6 +240,8 @@ pub(super) struct EmissiveStrength {
 pub(super) struct Glossiness {
     pub(super) diffuse_factor: Option<[f64; 4]>,
     pub(super) diffuse_texture: Option<IgnoredAny>,
+    pub(super) specular_factor: Option<[f64; 3]>,
+    pub(super) specular_glossiness_texture: Option<IgnoredAny>,
 }
 
 #[derive(Debug, Deserialize)]

@@ -1,14 +1,17 @@
 //! The reader: entities one after another, arrays by going back, includes by going down.
 
+use std::collections::BTreeMap;
+
 use glam::DVec3;
 use radiosity_photometry::error::{Refusal, refuse};
+use radiosity_photometry::note::Note;
 use radiosity_photometry::text::{number, short};
 
 use crate::budget::Budget;
 use crate::builder::{Coat, ModelBuilder};
+use crate::face_normals::{FaceNormals, ROUNDED};
 use crate::includes::Includes;
 use crate::lines::Lines;
-use crate::mesh::{ROUNDED, remark_on_normals};
 use crate::mgf::chromaticity::{Chromaticity, MixturePart};
 use crate::mgf::contexts::Contexts;
 use crate::mgf::shapes::{self, Vertex};
@@ -44,12 +47,19 @@ struct Material {
     reflectance: Stated<[f64; 3]>,
     emission: Stated<[f64; 3]>,
     sides: Sides,
+    /// Notes on what is left out of it, by entity; they are told where a surface has it.
+    left_out: BTreeMap<String, Note>,
 }
 
 impl Default for Material {
     /// Black on both sides.
     fn default() -> Self {
-        Self { reflectance: Stated::default(), emission: Stated::default(), sides: Sides::Both }
+        Self {
+            reflectance: Stated::default(),
+            emission: Stated::default(),
+            sides: Sides::Both,
+            left_out: BTreeMap::new(),
+        }
     }
 }
 
@@ -59,8 +69,9 @@ impl Material {
     /// # Errors
     /// Values that are faulty.
     fn coat(&self, name: &str) -> Result<Coat, Refusal> {
-        let Self { reflectance: Stated(reflectance), emission: Stated(emission), sides } = self.clone();
-        Ok(Coat { name: name.to_owned(), reflectance: reflectance?, emission: emission?, sides })
+        let Self { reflectance: Stated(reflectance), emission: Stated(emission), sides, .. } = self;
+        let (reflectance, emission) = (reflectance.clone()?, emission.clone()?);
+        Ok(Coat { name: name.to_owned(), reflectance, emission, sides: *sides })
     }
 }
 
@@ -311,6 +322,7 @@ impl<'a> Reader<'a> {
     fn leave_out(&mut self, entity: &str, arguments: &[&str], line: usize) -> Result<(), Refusal> {
         let first = arguments.first().ok_or_else(|| wrong_count(entity, 0, "1 or more"))?;
         if number(first, &format!("a number of {entity}"))? == 0.0 {
+            self.materials.current_mut().left_out.remove(entity);
             return Ok(());
         }
         let text = match entity {
@@ -319,7 +331,8 @@ impl<'a> Reader<'a> {
             "ts" => "specular transmission is left out",
             _ => "indices of refraction are left out",
         };
-        self.model.note(text, line);
+        let note = self.model.note_of(text, line);
+        self.materials.current_mut().left_out.insert(entity.to_owned(), note);
         Ok(())
     }
 
@@ -394,16 +407,18 @@ impl<'a> Reader<'a> {
 
     /// Notes normals at the vertices of a face that are not those of its outline.
     fn note_normals(&mut self, outline: &[Vertex], vertices: &[Vertex], line: usize) {
-        let normals = vertices.iter().map(|vertex| vertex.normal);
-        if let Some(remark) = remark_on_normals(&points(outline), normals) {
-            self.model.note(remark, line);
-        }
+        let normals = vertices.iter().map(|vertex| self.placed.direction(vertex.normal)).collect();
+        let face = Shape::Polygon { outline: points(outline), holes: Vec::new() };
+        let placed = self.placed.shape(&face);
+        let (_, &Material { sides, .. }) = self.materials.current();
+        self.model.note_normals(&FaceNormals { corners: placed.rings()[0], normals }, sides, line);
     }
 
     /// Adds a shape where the transform puts it.
     fn add(&mut self, shape: &Shape, line: usize) -> Result<(), Refusal> {
         let (name, material) = self.materials.current();
         let coat = material.coat(name.unwrap_or("unnamed"))?;
+        self.model.note_coat(material.left_out.values());
         let name = self.objects.last().map(String::as_str);
         self.model.surface(name, self.placed.shape(shape), &coat, line)
     }

@@ -1,6 +1,7 @@
 //! Elements of a scene: tags with attributes, parameters filled in, and what they say.
 
 use std::cell::Cell;
+use std::collections::BTreeSet;
 use std::rc::Rc;
 use std::sync::Arc;
 
@@ -9,6 +10,9 @@ use radiosity_photometry::file_place::FilePlace;
 use radiosity_photometry::note::Note;
 use radiosity_photometry::note_text::NoteText;
 use radiosity_photometry::text::{number, short};
+
+/// Names of files that texts were made of.
+pub(super) type Sources = BTreeSet<Rc<str>>;
 
 /// An element and those inside it.
 #[derive(Debug)]
@@ -21,6 +25,8 @@ pub(super) struct Element {
     pub(super) children: Vec<Element>,
     /// Name of the file that the element stands in.
     pub(super) file: Rc<str>,
+    /// The files that values in it, and in those inside it, were made of, as far as these are parameters.
+    pub(super) quoted: Sources,
     /// Line of the element, counted from 1.
     pub(super) line: usize,
     /// Number of the element, different from that of any other element of the scene.
@@ -155,7 +161,7 @@ impl Element {
 
     /// The refusal for a fault that is here.
     pub(super) fn at(&self, fault: Refusal) -> Refusal {
-        fault.in_line(&self.file, self.line)
+        fault.quoting(self.quoted.iter().map(|file| &**file)).in_line(&self.file, self.line)
     }
 }
 

@@ -6,6 +6,8 @@ use std::collections::HashMap;
 use radiosity_photometry::error::{Refusal, refuse};
 use radiosity_photometry::text::short;
 
+use super::element::Sources;
+
 /// Most bytes of a parameter's name; each length up to it is looked up where a text names one.
 const LONGEST_NAME: usize = 100;
 /// Most bytes of a parameter's value: numbers and names of files are shorter.
@@ -13,18 +15,25 @@ const LONGEST_VALUE: usize = 10_000;
 /// Most bytes of a text with its parameters filled in, which may name one many times.
 const LONGEST_TEXT: usize = 100_000;
 
+/// The value of a parameter, and the files that it was made of.
+#[derive(Debug)]
+struct Parameter {
+    value: String,
+    sources: Sources,
+}
+
 /// The parameters that are known so far.
 #[derive(Debug, Default)]
 pub(super) struct Parameters {
-    values: HashMap<String, String>,
+    values: HashMap<String, Parameter>,
 }
 
 impl Parameters {
-    /// Gives a parameter its value, unless it has one.
+    /// Gives a parameter its value, which was made of these files, unless it has one.
     ///
     /// # Errors
     /// A name without characters, a name or a value that is too long.
-    pub(super) fn add(&mut self, name: &str, value: &str) -> Result<(), Refusal> {
+    pub(super) fn add(&mut self, name: &str, value: &str, sources: Sources) -> Result<(), Refusal> {
         if name.is_empty() {
             return refuse("a parameter has no name", "write name=\"…\" in <default>");
         }
@@ -37,16 +46,17 @@ impl Parameters {
                 "write the value in its place",
             );
         }
-        self.values.entry(name.to_owned()).or_insert_with(|| value.to_owned());
+        self.values.entry(name.to_owned()).or_insert_with(|| Parameter { value: value.to_owned(), sources });
         Ok(())
     }
 
-    /// `text` with the values of its parameters. Of several names that fit behind a `$` the longest counts;
+    /// `text` with the values of its parameters, the files of which are added to `sources`. Of several names that
+    /// fit behind a `$` the longest counts;
     /// `\$` is a `$`.
     ///
     /// # Errors
     /// A parameter that has no value, and a text that becomes too long.
-    pub(super) fn fill<'t>(&self, text: &'t str) -> Result<Cow<'t, str>, Refusal> {
+    pub(super) fn fill<'t>(&self, text: &'t str, sources: &mut Sources) -> Result<Cow<'t, str>, Refusal> {
         if !text.contains('$') {
             return Ok(Cow::Borrowed(text));
         }
@@ -59,9 +69,10 @@ impl Parameters {
                     rest = behind;
                 }
                 None => {
-                    let (name, value) = self.first(behind)?;
+                    let (name, Parameter { value, sources: own }) = self.first(behind)?;
                     filled.push_str(before);
                     filled.push_str(value);
+                    sources.extend(own.iter().cloned());
                     rest = &behind[name..];
                 }
             }
@@ -76,10 +87,10 @@ impl Parameters {
         Ok(Cow::Owned(filled))
     }
 
-    /// Length (bytes) of the name that `text` begins with, and the value of that parameter.
-    fn first(&self, text: &str) -> Result<(usize, &str), Refusal> {
+    /// Length (bytes) of the name that `text` begins with, and that parameter.
+    fn first(&self, text: &str) -> Result<(usize, &Parameter), Refusal> {
         let ends = (1..=text.len().min(LONGEST_NAME)).rev().filter(|end| text.is_char_boundary(*end));
-        let known = ends.filter_map(|end| Some((end, self.values.get(&text[..end])?.as_str()))).next();
+        let known = ends.filter_map(|end| Some((end, self.values.get(&text[..end])?))).next();
         known.ok_or_else(|| {
             let is_of_name = |c: char| c.is_alphanumeric() || c == '_';
             let end = text.find(|c| !is_of_name(c)).unwrap_or(text.len());
@@ -100,24 +111,30 @@ mod tests {
     fn the_longest_name_and_the_first_value_count() {
         let mut parameters = Parameters::default();
         for (name, value) in [("a", "1"), ("ab", "2"), ("a", "3"), ("é", "4")] {
-            assert_eq!(parameters.add(name, value), Ok(()));
+            let source = Sources::from([value.into()]);
+            assert_eq!(parameters.add(name, value, source), Ok(()));
         }
         let told = [("$a", "1"), ("$ab$a", "21"), ("$ac", "1c"), ("x\\$a", "x$a"), ("$é$é", "44"), ("", "")];
         for (text, expected) in told {
-            assert_eq!(parameters.fill(text).as_deref(), Ok(expected), "{text}");
+            assert_eq!(parameters.fill(text, &mut Sources::new()).as_deref(), Ok(expected), "{text}");
         }
+        let mut sources = Sources::new();
+        assert!(parameters.fill("$ab$a$ab", &mut sources).is_ok());
+        assert_eq!(sources.iter().map(|own| &**own).collect::<Vec<_>>(), ["1", "2"]);
         for text in ["$", "$c", "1$ ab"] {
-            assert!(parameters.fill(text).is_err_and(|fault| fault.cause.contains("has no value")), "{text}");
+            let filled = parameters.fill(text, &mut Sources::new());
+            assert!(filled.is_err_and(|fault| fault.cause.contains("has no value")), "{text}");
         }
     }
 
     #[test]
     fn texts_do_not_grow_without_end() {
         let mut parameters = Parameters::default();
-        assert_eq!(parameters.add("a", &"1".repeat(9999)), Ok(()));
-        assert!(parameters.fill(&"$a".repeat(99_999)).is_err());
-        assert!(parameters.add("b", &"1".repeat(10_001)).is_err());
-        assert!(parameters.add(&"b".repeat(101), "1").is_err());
-        assert!(parameters.add("", "1").is_err());
+        let mut add = |name: &str, value: &str| parameters.add(name, value, Sources::new());
+        assert_eq!(add("a", &"1".repeat(9999)), Ok(()));
+        assert!(add("b", &"1".repeat(10_001)).is_err());
+        assert!(add(&"b".repeat(101), "1").is_err());
+        assert!(add("", "1").is_err());
+        assert!(parameters.fill(&"$a".repeat(99_999), &mut Sources::new()).is_err());
     }
 }

@@ -15,7 +15,8 @@ use super::placed;
 use super::transforms;
 use crate::budget::Budget;
 use crate::builder::{Coat, ModelBuilder};
-use crate::mesh::{OPPOSED, ROUNDED, SMOOTHED};
+use crate::face_normals::{OPPOSED, ROUNDED};
+use crate::mesh::SMOOTHED;
 use crate::model::{Model, Shape, Sides};
 use radiosity_photometry::files::Files;
 

@@ -7,7 +7,7 @@ use std::rc::Rc;
 use radiosity_photometry::error::{Refusal, refuse};
 use roxmltree::{Document, Error, Node, ParsingOptions};
 
-use super::element::Element;
+use super::element::{Element, Sources};
 use super::parameters::Parameters;
 use crate::budget::Budget;
 use crate::includes::Includes;
@@ -103,7 +103,9 @@ impl Reader<'_> {
             );
             return Err(source.at(node, fault));
         }
-        let attributes = self.attributes(node, source).map_err(|fault| source.at(node, fault))?;
+        let mut quoted = Sources::new();
+        let attributes =
+            self.attributes(node, source, &mut quoted).map_err(|fault| source.at(node, fault))?;
         let number = self.count(&attributes).map_err(|fault| source.at(node, fault))?;
         let mut children = Vec::new();
         for child in node.children().filter(Node::is_element) {
@@ -120,23 +122,31 @@ impl Reader<'_> {
                 _ => children.push(self.element(child, source, depth + 1)?),
             }
         }
+        children.iter().for_each(|child: &Element| quoted.extend(child.quoted.iter().cloned()));
         Ok(Element {
             tag: tag(node, source),
             attributes,
             children,
             file: source.name.clone(),
+            quoted,
             line: source.line(node),
             number,
             is_met: Cell::new(false),
         })
     }
 
-    /// The attributes of an element: parameters filled in, names of Mitsuba 0 as they are now, files found.
-    fn attributes(&mut self, node: Node<'_, '_>, source: &Source) -> Result<Vec<(String, String)>, Refusal> {
+    /// The attributes of an element: parameters filled in, the files of which are added to `quoted`, names of Mitsuba 0
+    /// as they are now, files found.
+    fn attributes(
+        &mut self,
+        node: Node<'_, '_>,
+        source: &Source,
+        quoted: &mut Sources,
+    ) -> Result<Vec<(String, String)>, Refusal> {
         let is_file = node.attribute("name") == Some("filename");
         let mut attributes = Vec::new();
         for attribute in node.attributes() {
-            let mut value = self.parameters.fill(attribute.value())?.into_owned();
+            let mut value = self.parameters.fill(attribute.value(), quoted)?.into_owned();
             match attribute.name() {
                 "name" if source.is_old => value = snake(&value),
                 "value" if is_file => value = self.found(&value, source),
@@ -163,10 +173,11 @@ impl Reader<'_> {
     fn parameter(&mut self, node: Node<'_, '_>, source: &Source) -> Result<(), Refusal> {
         let plain =
             Source { is_old: false, name: source.name.clone(), lines: Vec::new(), folders: Vec::new() };
-        let attributes = self.attributes(node, &plain)?;
+        let mut sources = Sources::from([source.name.clone()]);
+        let attributes = self.attributes(node, &plain, &mut sources)?;
         let value = |wanted: &str| attributes.iter().find(|(name, _)| name == wanted).map(|(_, value)| value);
         match (value("name"), value("value")) {
-            (Some(name), Some(value)) => self.parameters.add(name, value),
+            (Some(name), Some(value)) => self.parameters.add(name, value, sources),
             _ => refuse("a <default> has no name or no value", "write <default name=\"…\" value=\"…\"/>"),
         }
     }
@@ -179,7 +190,7 @@ impl Reader<'_> {
         if source.folders.len() > DEEPEST {
             return refuse(format!("more than {DEEPEST} folders"), "take a <path> out");
         }
-        let folder = self.includes.beside(&self.parameters.fill(value)?);
+        let folder = self.includes.beside(&self.parameters.fill(value, &mut Sources::new())?);
         source.folders.insert(0, folder);
         Ok(())
     }
@@ -201,16 +212,18 @@ impl Reader<'_> {
     }
 
     fn include(&mut self, node: Node<'_, '_>, source: &Source, depth: usize) -> Result<Element, Refusal> {
-        let enter = |reader: &mut Self| {
+        let mut quoted = Sources::new();
+        let mut enter = |reader: &mut Self| {
             let Some(name) = node.attribute("filename") else {
                 return refuse("an <include> names no file", "write filename=\"…\" in it");
             };
             reader.budget.spend_on_include()?;
-            let name = reader.parameters.fill(name)?.into_owned();
+            let name = reader.parameters.fill(name, &mut quoted)?.into_owned();
             let path = reader.found(&name, source);
             reader.includes.enter(&path)
         };
-        let text = enter(self).map_err(|fault| source.at(node, fault))?;
+        let text = enter(self);
+        let text = text.map_err(|fault| source.at(node, fault.quoting(quoted.iter().map(|own| &**own))))?;
         let included = self.file(&text, &source.folders, depth)?;
         self.includes.leave();
         Ok(included)

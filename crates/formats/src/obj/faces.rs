@@ -12,7 +12,8 @@ use radiosity_photometry::note::Note;
 use radiosity_photometry::text::{number, short};
 
 use super::statements::split;
-use crate::mesh::{Coat, Mesh, SMOOTHED, is_bent};
+use crate::face_normals::{FaceNormals, is_bent};
+use crate::mesh::{Coat, Mesh, SMOOTHED};
 use crate::model::Sides;
 use crate::tolerances::MOST_VERTICES;
 
@@ -255,7 +256,8 @@ impl Faces {
                 mesh.model.note(SMOOTHED, Some(FilePlace::Line(line)));
             }
             let normals = self.corner_normals[face.start..end].iter().flatten();
-            mesh.note_rounding(&corners, normals.filter_map(|number| self.normal(*number)), place);
+            let normals = normals.filter_map(|number| self.normal(*number)).collect();
+            mesh.note_normals(&FaceNormals { corners: &corners, normals }, coat.sides, place);
             mesh.face(corners, coat, place).map_err(|fault| fault.at(place))?;
         }
         Ok(())

@@ -7,6 +7,7 @@ use radiosity_photometry::text::short;
 
 use super::header::{Element, Header, Property};
 use super::numbers::Numbers;
+use crate::face_normals::FaceNormals;
 use crate::mesh::{Coat, Mesh};
 use crate::model::{Model, Sides};
 use crate::tolerances::MOST_ROWS;
@@ -162,9 +163,9 @@ impl Elements {
                 self.corners[*start..end].iter().map(|number| self.vertex(*number, *place)).collect();
             let coat = Coat { object, material: None, sides: Sides::Open };
             let corners = corners?;
-            let normals =
-                self.corners[*start..end].iter().filter_map(|number| self.normals.get(*number as usize));
-            mesh.note_rounding(&corners, normals.copied(), *place);
+            let numbers = self.corners[*start..end].iter();
+            let normals = numbers.filter_map(|number| self.normals.get(*number as usize).copied()).collect();
+            mesh.note_normals(&FaceNormals { corners: &corners, normals }, coat.sides, *place);
             mesh.face(corners, coat, *place).map_err(|fault| fault.at(*place))?;
         }
         Ok(())

@@ -7,6 +7,7 @@ use std::f64::consts::PI;
 use std::rc::Rc;
 
 use radiosity_photometry::error::{Refusal, refuse};
+use radiosity_photometry::note::Note;
 use radiosity_photometry::text::short;
 
 use crate::builder::Coat;
@@ -22,26 +23,34 @@ pub(super) enum Meaning {
     Absent(&'static str),
 }
 
+/// A modifier: its effect, and what is left out of it, told where a surface has it.
+#[derive(Clone, Debug)]
+pub(super) struct Modifier {
+    pub(super) meaning: Meaning,
+    pub(super) left_out: Vec<Note>,
+}
+
 /// The modifiers that were defined.
 #[derive(Debug)]
 pub(super) struct Materials {
-    meanings: HashMap<String, Meaning>,
+    modifiers: HashMap<String, Modifier>,
 }
 
 impl Default for Materials {
     fn default() -> Self {
-        let void = Meaning::Absent("surfaces without a material (void) are left out");
-        Self { meanings: HashMap::from([("void".to_owned(), void)]) }
+        let meaning = Meaning::Absent("surfaces without a material (void) are left out");
+        let void = Modifier { meaning, left_out: Vec::new() };
+        Self { modifiers: HashMap::from([("void".to_owned(), void)]) }
     }
 }
 
 impl Materials {
-    /// Meaning of the modifier `name`.
+    /// The modifier `name`.
     ///
     /// # Errors
     /// A name that was not defined.
-    pub(super) fn get(&self, name: &str) -> Result<&Meaning, Refusal> {
-        self.meanings.get(name).ok_or_else(|| {
+    pub(super) fn get(&self, name: &str) -> Result<&Modifier, Refusal> {
+        self.modifiers.get(name).ok_or_else(|| {
             Refusal::new(
                 format!("the modifier '{}' is not defined", short(name)),
                 "define it above, or join the file of the materials and this one: !xform materials.rad",
@@ -49,13 +58,17 @@ impl Materials {
         })
     }
 
-    /// Defines the modifier that a primitive is. Returns what is left out of it, or none if it is no
-    /// modifier.
+    /// Defines the modifier that a primitive is, where `note` makes notes on it; returns whether it is one.
     ///
     /// # Errors
     /// Unknown modifiers, too few numbers, numbers below 0.
-    pub(super) fn define(&mut self, primitive: &Primitive) -> Result<Option<Vec<&'static str>>, Refusal> {
-        let (meaning, notes) = match primitive.kind.as_str() {
+    pub(super) fn define(
+        &mut self,
+        primitive: &Primitive,
+        note: impl Fn(&'static str) -> Note,
+    ) -> Result<bool, Refusal> {
+        let nothing = |meaning| Modifier { meaning, left_out: Vec::new() };
+        let (behind, own) = match primitive.kind.as_str() {
             "alias" => (self.named(primitive)?, Vec::new()),
             "texfunc" | "texdata" | "colorfunc" | "brightfunc" | "colordata" | "brightdata" | "colorpict"
             | "colortext" | "brighttext" | "spectrum" | "specfile" | "specfunc" | "specdata" | "specpict" => {
@@ -64,19 +77,24 @@ impl Materials {
             "mixfunc" | "mixdata" | "mixpict" | "mixtext" => {
                 (self.named(primitive)?, vec!["mixtures of materials are left out: the first of them counts"])
             }
-            "antimatter" => (Meaning::Absent("antimatter is left out: what it cuts stays whole"), Vec::new()),
-            "mist" => (Meaning::Absent("mist is left out"), Vec::new()),
+            "antimatter" => {
+                (nothing(Meaning::Absent("antimatter is left out: what it cuts stays whole")), Vec::new())
+            }
+            "mist" => (nothing(Meaning::Absent("mist is left out")), Vec::new()),
             _ => match coat(primitive)? {
-                Some((coat, notes)) => (Meaning::Coat(Rc::new(coat)), notes),
-                None => return Ok(None),
+                Some((coat, own)) => (nothing(Meaning::Coat(Rc::new(coat))), own),
+                None => return Ok(false),
             },
         };
-        self.meanings.insert(primitive.name.clone(), meaning);
-        Ok(Some(notes))
+        let before = self.modifiers.get(&primitive.modifier).map(|own| own.left_out.as_slice());
+        let all = behind.left_out.iter().chain(before.unwrap_or_default()).cloned();
+        let left_out = each_once(all.chain(own.into_iter().map(note)));
+        self.modifiers.insert(primitive.name.clone(), Modifier { meaning: behind.meaning, left_out });
+        Ok(true)
     }
 
-    /// The meaning of the modifier that the first text names.
-    fn named(&self, primitive: &Primitive) -> Result<Meaning, Refusal> {
+    /// The modifier that the first text names.
+    fn named(&self, primitive: &Primitive) -> Result<Modifier, Refusal> {
         match primitive.strings.first() {
             Some(name) => self.get(name).cloned(),
             None => refuse(
@@ -85,6 +103,17 @@ impl Materials {
             ),
         }
     }
+}
+
+/// The first note of each text.
+fn each_once(notes: impl Iterator<Item = Note>) -> Vec<Note> {
+    let mut all: Vec<Note> = Vec::new();
+    for note in notes {
+        if all.iter().all(|own| own.text != note.text) {
+            all.push(note);
+        }
+    }
+    all
 }
 
 /// The diffuse part of a material and what is left out of it; none if it is no material.

@@ -1,6 +1,6 @@
 //! The reader: primitives one after another, commands by going down.
 
-use radiosity_photometry::error::Refusal;
+use radiosity_photometry::error::{Refusal, refuse};
 use radiosity_photometry::text::short;
 
 use crate::budget::Budget;
@@ -76,16 +76,14 @@ impl<'a> Reader<'a> {
                 if let Some(shape) = shapes::shape(primitive)? {
                     return self.surface([&primitive.modifier, &primitive.name], &shape, frame, line);
                 }
-                let notes = self.materials.define(primitive)?.ok_or_else(|| {
-                    Refusal::new(
+                let note = |text| self.model.note_of(text, line);
+                return match self.materials.define(primitive, note)? {
+                    true => Ok(()),
+                    false => refuse(
                         format!("'{}' is no type of Radiance", short(&primitive.kind)),
                         "correct it; a primitive is modifier, type, name, and three lists with their counts",
-                    )
-                })?;
-                for note in notes {
-                    self.model.note(note, line);
-                }
-                return Ok(());
+                    ),
+                };
             }
         };
         self.model.note(left_out, line);
@@ -100,13 +98,15 @@ impl<'a> Reader<'a> {
         frame: &Frame,
         line: usize,
     ) -> Result<(), Refusal> {
-        let coat = match self.materials.get(frame.modifier.as_deref().unwrap_or(modifier))? {
+        let modifier = self.materials.get(frame.modifier.as_deref().unwrap_or(modifier))?;
+        let coat = match &modifier.meaning {
             Meaning::Coat(coat) => coat.clone(),
             Meaning::Absent(note) => {
                 self.model.note(*note, line);
                 return Ok(());
             }
         };
+        self.model.note_coat(&modifier.left_out);
         let mut placed = frame.placed.shape(shape);
         if frame.is_turned {
             placed.turn_over();

@@ -7,10 +7,11 @@
 use std::collections::HashSet;
 
 use radiosity_fit::sides::{are_sides_of_one, back_of};
+use radiosity_work::listed::quoted;
 
 use crate::model::{Model, Sides};
 use crate::repair::edit::Edit;
-use crate::repair::record::{RepairKind, Repairs, spelt};
+use crate::repair::record::{RepairKind, Repairs};
 
 /// Surfaces of which some go or change because of copies.
 pub(super) struct Copies {
@@ -56,7 +57,7 @@ impl Copies {
             return;
         }
         let names = vec![one.name.clone(), other.name.clone()];
-        let pair = spelt(&names);
+        let pair = quoted(&names);
         let is_sheet = !is_alike && self.is_one_sided(model, first) && self.is_one_sided(model, second);
         let back = back_of(&one.name);
         let text = if is_sheet && one.material == other.material {

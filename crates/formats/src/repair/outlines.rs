@@ -7,10 +7,11 @@
 use radiosity_fit::overlay::{Part, crosses_itself, enclosed, has_seam, without};
 use radiosity_fit::plane::Plane;
 use radiosity_geom::{PlanarRegion, ShapeError};
+use radiosity_work::listed::quoted;
 
 use crate::model::{Model, Shape};
 use crate::repair::edit::{Edit, Told};
-use crate::repair::record::{RepairKind, Repairs, counted, spelt};
+use crate::repair::record::{RepairKind, Repairs, counted};
 
 /// Makes each outline that touches or crosses itself into outlines that do not, with holes.
 pub(super) fn mend(model: &mut Model, asked: Option<f64>, repairs: &mut Repairs) {
@@ -24,7 +25,7 @@ pub(super) fn mend(model: &mut Model, asked: Option<f64>, repairs: &mut Repairs)
                 [] => "it encloses no area and was removed".to_owned(),
                 [_] if count > 0 => format!("it was made an outline with {}", counted(count, "hole")),
                 [_] => "it was led around what it encloses".to_owned(),
-                names => format!("it was cut into {}", spelt(names)),
+                names => format!("it was cut into {}", quoted(names)),
             };
             let kind = if names.is_empty() { RepairKind::Sliver } else { RepairKind::Outline };
             (kind, format!("the outline of {name:?} {cause}; {made}"))

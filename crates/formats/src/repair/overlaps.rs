@@ -10,10 +10,11 @@ use std::collections::BTreeMap;
 use radiosity_fit::overlay::{Part, enclosed, without};
 use radiosity_fit::sides::are_sides_of_one;
 use radiosity_geom::{SAME_AREA, layer_order};
+use radiosity_work::listed::quoted;
 
 use crate::model::{Model, Shape, Sides};
 use crate::repair::edit::{Edit, Told};
-use crate::repair::record::{RepairKind, Repairs, spelt};
+use crate::repair::record::{RepairKind, Repairs};
 use crate::repair::sheets::{Sheet, Sheets};
 
 /// Most rounds: what is left of a face that was cut may lie partly on others in turn. Stacks of more faces
@@ -59,12 +60,12 @@ fn round(
         let name_of = |other: &usize| model.surfaces[sheets.list[*other].surface].name.clone();
         let others: Vec<String> = by.iter().map(name_of).collect();
         let verb = if others.len() == 1 { "shares" } else { "share" };
-        let by_others = format!("{} {verb} a part of the place of", spelt(&others));
+        let by_others = format!("{} {verb} a part of the place of", quoted(&others));
         let text = move |name: &str, names: &[String]| {
             let made = match names {
                 [] => format!("nothing of {name:?} was left"),
                 [_] => format!("that part of {name:?} was cut out"),
-                names => format!("that part of {name:?} was cut out, which left {}", spelt(names)),
+                names => format!("that part of {name:?} was cut out, which left {}", quoted(names)),
             };
             (RepairKind::Overlap, format!("{by_others} {name:?}; {made}"))
         };

@@ -7,10 +7,11 @@ use glam::DVec3;
 use radiosity_fit::outline::is_warped;
 use radiosity_fit::plane::Plane;
 use radiosity_geom::{PlanarRegion, ShapeError};
+use radiosity_work::listed::quoted;
 
 use crate::model::{Model, Shape};
 use crate::repair::edit::{Edit, Told};
-use crate::repair::record::{RepairKind, Repairs, counted, spelt};
+use crate::repair::record::{RepairKind, Repairs, counted};
 
 /// Makes polygons off their planes into patches and triangles.
 pub(super) fn mend(model: &mut Model, repairs: &mut Repairs) {
@@ -26,7 +27,7 @@ pub(super) fn mend(model: &mut Model, repairs: &mut Repairs) {
         let text = move |name: &str, names: &[String]| {
             let made = match names {
                 [_] => "it was made a bilinear patch".to_owned(),
-                names => format!("it was cut into {}, {}", counted(names.len(), "triangle"), spelt(names)),
+                names => format!("it was cut into {}, {}", counted(names.len(), "triangle"), quoted(names)),
             };
             (RepairKind::Plane, format!("{name:?} is off its plane by {deviation:.1e}; {made}"))
         };

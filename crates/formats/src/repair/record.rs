@@ -6,9 +6,6 @@ use radiosity_photometry::file_place::FilePlace;
 
 use crate::model::Surface;
 
-/// Most names that a line spells out; the rest are counted, so that the record of a repair stays a line.
-const SPELT: usize = 4;
-
 /// Kind of the fault that was repaired.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum RepairKind {
@@ -77,34 +74,7 @@ impl Repairs {
     }
 }
 
-/// `"a"`, `"a" and "b"`, `"a", "b" and 17 others`.
-pub(super) fn spelt(names: &[String]) -> String {
-    let spelt = if names.len() > SPELT { SPELT - 1 } else { names.len() };
-    let mut parts: Vec<String> = names.iter().take(spelt).map(|name| format!("{name:?}")).collect();
-    if names.len() > spelt {
-        parts.push(format!("{} others", names.len() - spelt));
-    }
-    match parts.split_last() {
-        Some((last, rest)) if !rest.is_empty() => format!("{} and {last}", rest.join(", ")),
-        _ => parts.concat(),
-    }
-}
-
 /// `1 spike`, `3 spikes`.
 pub(super) fn counted(count: usize, noun: &str) -> String {
     format!("{count} {noun}{}", if count == 1 { "" } else { "s" })
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn long_lists_end_with_a_count() {
-        let names = |count: usize| (0..count).map(|k| k.to_string()).collect::<Vec<_>>();
-        assert_eq!(spelt(&names(1)), r#""0""#);
-        assert_eq!(spelt(&names(2)), r#""0" and "1""#);
-        assert_eq!(spelt(&names(4)), r#""0", "1", "2" and "3""#);
-        assert_eq!(spelt(&names(9)), r#""0", "1", "2" and 6 others"#);
-    }
 }

@@ -1,8 +1,10 @@
 //! Fronts that point the wrong way.
 
+use radiosity_work::listed::quoted;
+
 use crate::fronts::{TurnReason, turned};
 use crate::model::Model;
-use crate::repair::record::{RepairKind, Repairs, spelt};
+use crate::repair::record::{RepairKind, Repairs};
 
 /// Turns over what shows its front the wrong way, if `fixes`; else only says so.
 pub(super) fn mend(model: &mut Model, fixes: bool, repairs: &mut Repairs) {
@@ -15,14 +17,14 @@ pub(super) fn mend(model: &mut Model, fixes: bool, repairs: &mut Repairs) {
         let what = match found.why {
             TurnReason::Neighbours => {
                 let beside = &model.surfaces[found.beside].name;
-                format!("{} {show} where {beside:?} beside has its back", spelt(&names))
+                format!("{} {show} where {beside:?} beside has its back", quoted(&names))
             }
             TurnReason::Halves => {
                 let beside = &model.surfaces[found.beside].name;
-                format!("{} {show} where {beside:?} beside has its back, of equal areas", spelt(&names))
+                format!("{} {show} where {beside:?} beside has its back, of equal areas", quoted(&names))
             }
-            TurnReason::Inwards => format!("{} enclose nothing and {show} inwards", spelt(&names)),
-            TurnReason::Outwards => format!("{} enclose everything and {show} outwards", spelt(&names)),
+            TurnReason::Inwards => format!("{} enclose nothing and {show} inwards", quoted(&names)),
+            TurnReason::Outwards => format!("{} enclose everything and {show} outwards", quoted(&names)),
         };
         let is_fixed = fixes && found.why != TurnReason::Halves;
         let (kind, done) = match is_fixed {

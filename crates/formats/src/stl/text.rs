@@ -100,7 +100,8 @@ impl Reader<'_> {
         let Some(facet) = self.facet.take() else { return Ok(()) };
         let place = FilePlace::Line(facet.line);
         if area_vector(&facet.corners).dot(facet.normal) < 0.0 {
-            self.mesh.model.note("normals that contradict the order of corners are left out", Some(place));
+            let text = "normals that contradict the order of corners are left out";
+            self.mesh.note_opposed(&facet.corners, text, place);
         }
         let mesh = &mut *self.mesh;
         let object = *self.object.get_or_insert_with(|| mesh.object(None));

@@ -39,7 +39,8 @@ const FAULTY: &str = "faulty colours and materials that no surface has are left 
 
 const MGF: &str = "v a =\n n 0 0 2\nv b =\n p 1 0 0\nv c =\n p 0 1 0\nc grey =\nm w =\n rd .5\nf a b c\n";
 
-const RAD: &str = "void glow g 0 0 4 1 1 1 0\nvoid plastic w 0 0 5 .5 .5 .5 0 0\nw sphere s 0 0 4 0 0 0 1\n";
+const RAD: &str = "void glow g 0 0 4 1 1 1 0\nvoid plastic w 0 0 5 .5 .5 .5 0 0\nw sphere s 0 0 4 0 0 0 1\n\
+                   g sphere lamp 0 0 4 5 0 0 1\n";
 
 const VS3: &str = "F 3\nV 1 0 0 0\nV 2 1 0 0\nV 3 0 1 0\nS 1 1 2 3 0 0 0 0.9 a\nE\n";
 
@@ -82,6 +83,9 @@ const LEFT_OUT: &[LeftOut] = &[
     LeftOut { format: Format::Obj, text: PLATE, part: "v 0 1 0", more: "v 0 1 1", note: SMOOTHED },
     LeftOut { format: Format::Obj, text: PLATE, part: "v 0 1 0", more: "v 0 1 1\nvn 0 0 1", note: SMOOTHED },
     LeftOut { format: Format::Obj, text: OBJ, part: "a.mtl", more: "filter.mtl", note: TRANSPARENCY },
+    LeftOut { format: Format::Obj, text: OBJ, part: "a.mtl", more: "spectral.mtl", note: TRANSPARENCY },
+    LeftOut { format: Format::Obj, text: OBJ, part: "a.mtl", more: "xyz.mtl", note: TRANSPARENCY },
+    LeftOut { format: Format::Obj, text: OBJ, part: "a.mtl", more: "shiny.mtl", note: SPECULAR },
     LeftOut { format: Format::Obj, text: OBJ, part: "a.mtl", more: "glass.mtl", note: TRANSPARENCY },
     LeftOut { format: Format::Obj, text: OBJ, part: "a.mtl", more: "mirror.mtl", note: SPECULAR },
     LeftOut { format: Format::Obj, text: OBJ, part: "a.mtl", more: "rough.mtl", note: SPECULAR },
@@ -303,6 +307,9 @@ fn noted(format: Format, text: &str) -> Vec<String> {
             b"newmtl a\nKd .5\nKs 0 0 0\nillum 3\nTf 1 1 1\nPc 0\nPcr .03\naniso 0\nanisor 1\n".to_vec(),
         ),
         ("filter.mtl", b"newmtl a\nKd .5\nTf .5 .5 .5\n".to_vec()),
+        ("spectral.mtl", b"newmtl a\nKd .5\nTf spectral glass.rfl\n".to_vec()),
+        ("xyz.mtl", b"newmtl a\nKd .5\nTf xyz .5 .6 .5\n".to_vec()),
+        ("shiny.mtl", b"newmtl a\nKd .5\nKs spectral tin.rfl\nillum 2\n".to_vec()),
         ("glass.mtl", b"newmtl a\nKd .5\nillum 7\n".to_vec()),
         ("mirror.mtl", b"newmtl a\nKd .5\nillum 3\n".to_vec()),
         ("rough.mtl", b"newmtl a\nKd .5\nPcr .03\n".to_vec()),
@@ -347,7 +354,7 @@ fn colours_that_are_none_are_refused_where_they_are_used() {
 #[test]
 fn notes_have_the_file_of_their_line() {
     let scenes = [
-        (Format::Mgf, "i b.mgf\nies lamp.ies\n", "b.mgf", format!("{MGF}rs .5 0\n")),
+        (Format::Mgf, "i b.mgf\nies lamp.ies\n", "b.mgf", format!("{MGF}rs .5 0\nf a b c\n")),
         (
             Format::Rad,
             "!xform b.rad\nvoid source sun 0 0 4 0 0 1 1\n",
@@ -369,4 +376,136 @@ fn notes_have_the_file_of_their_line() {
         assert!(files.iter().any(|file| file.is_none_or(|file| file == "a")), "{:?}", model.notes);
         assert_eq!(model.surfaces[0].file.as_deref(), Some(name));
     }
+}
+
+/// Statements that add nothing, and materials that no surface has, leave nothing out.
+#[test]
+fn what_adds_nothing_is_not_named() {
+    let files = Memory::of([
+        ("a.mtl", &b"newmtl a\nKd .5\nKs .5 .5 .5\nillum 1\n"[..]),
+        ("b.mtl", b"newmtl a\nKd .5\nillum 0\nKs 1 1 1\nTf xyz 1 1 1\n"),
+        ("c.mtl", b"newmtl a\nKd .5\nnewmtl unused\nKd .5\nKs 1 1 1\n"),
+    ]);
+    let notes_of = |format, text: &str| {
+        let model = read(format, "a", text.as_bytes(), &files).unwrap_or_else(|refusal| panic!("{refusal}"));
+        notes(&model).into_iter().map(str::to_owned).collect::<Vec<_>>()
+    };
+    for name in ["a.mtl", "b.mtl", "c.mtl"] {
+        assert_eq!(notes_of(Format::Obj, &OBJ.replace("a.mtl", name)), [""; 0], "{name}");
+    }
+    let unused = "void glow g 0 0 4 1 1 1 5\nvoid glass p 0 0 3 .9 .9 .9\nvoid plastic w 0 0 5 .5 .5 .5 0 0\n\
+                  void plastic q 0 0 5 .5 .5 .5 .1 0\nw sphere s 0 0 4 0 0 0 1\n";
+    assert_eq!(notes_of(Format::Rad, unused), [""; 0]);
+    let used = format!("{unused}void alias r g\nr sphere t 0 0 4 5 0 0 1\ng sphere u 0 0 4 9 0 0 1\n");
+    let limit = "the limit of how far glow shines (maxrad) is left out: it lights all that it faces";
+    assert_eq!(notes_of(Format::Rad, &used), [limit]);
+    let pattern = "void brightfunc p 2 a b 0 0\np plastic w 0 0 5 .5 .5 .5 0 0\nw sphere s 0 0 4 0 0 0 1\n";
+    assert_eq!(notes_of(Format::Rad, pattern), ["patterns and textures are left out"]);
+    assert_eq!(notes_of(Format::Mgf, &MGF.replace("m w =\n", "m u =\n rs .5 0\n td .1\nm w =\n")), [""; 0]);
+    assert_eq!(notes_of(Format::Mgf, &MGF.replace(" rd .5\n", " rd .5\n rs .5 0\n rs 0 0\n")), [""; 0]);
+}
+
+/// The two faces of a sheet share their corners and what the file states there; a face alone has a wrong normal.
+#[test]
+fn a_sheet_of_two_faces_has_normals_of_one() {
+    let obj = "s 1\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\n";
+    let stl = |faces: &[&str]| {
+        let facet = |corners: &&str| format!("facet normal 0 0 1\nouter loop\n{corners}endloop\nendfacet\n");
+        format!("solid a\n{}endsolid a\n", faces.iter().map(facet).collect::<String>())
+    };
+    let (front, back) =
+        ("vertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n", "vertex 0 0 0\nvertex 0 1 0\nvertex 1 0 0\n");
+    let mgf = |faces: &str, sides: &str| {
+        format!(
+            "v a =\n n 0 0 1\nv b =\n p 1 0 0\n n 0 0 1\nv c =\n p 0 1 0\n n 0 0 1\nm w =\n rd .5\n sides {sides}\n{faces}"
+        )
+    };
+    let contradict = "normals that contradict the order of corners are left out";
+    let cases = [
+        (Format::Obj, format!("{obj}f 1//1 2//1 3//1\nf 3//1 2//1 1//1\n"), None),
+        (Format::Obj, format!("{obj}f 1 2 3\nf 3 2 1\n"), None),
+        (Format::Obj, format!("{obj}f 3//1 2//1 1//1\n"), Some(OPPOSED)),
+        (Format::Stl, stl(&[front, back]), None),
+        (Format::Stl, stl(&[back]), Some(contradict)),
+        (Format::Mgf, mgf("f a b c\nf c b a\n", "1"), None),
+        (Format::Mgf, mgf("xf -mx\nf a b c\nf c b a\nxf\n", "1"), None),
+        (Format::Mgf, mgf("xf -mx\nf a b c\nxf\n", "1"), None),
+        (Format::Mgf, mgf("f c b a\n", "1"), Some(OPPOSED)),
+        (Format::Mgf, mgf("f c b a\n", "2"), None),
+    ];
+    for (format, text, note) in cases {
+        let model =
+            read(format, "a", text.as_bytes(), &Memory::default()).unwrap_or_else(|fault| panic!("{fault}"));
+        assert_eq!(notes(&model), note.into_iter().collect::<Vec<_>>(), "{text}");
+    }
+}
+
+/// Extensions that nobody knows and that the file does not list are named where they are used.
+#[test]
+fn extensions_are_named_wherever_they_are_used() {
+    let own = "\"extensions\": {\"ACME_odd\": {}}";
+    let parts = [
+        ("\"scenes\": [{", "\"scenes\": [{"),
+        ("\"meshes\": [{", "\"meshes\": [{"),
+        ("\"bufferViews\": [{", "\"bufferViews\": [{"),
+        ("\"materials\": [{", "\"materials\": [{"),
+        ("\"nodes\": [{\"mesh\"", "\"nodes\": [{\"mesh\""),
+        ("\"skins\"", "\"cameras\": [{}], \"skins\""),
+        ("\"skins\"", "\"textures\": [{}], \"skins\""),
+    ];
+    for (part, more) in parts {
+        assert!(GLTF.contains(part), "{part}");
+        let text = match more.split_once("[{}]") {
+            Some((before, after)) => GLTF.replacen(part, &format!("{before}[{{{own}}}]{after}"), 1),
+            None => {
+                let at = part.find('{').expect("it has one") + 1;
+                GLTF.replacen(part, &format!("{}{own}, {}", &part[..at], &part[at..]), 1)
+            }
+        };
+        assert_eq!(noted(Format::Gltf, &text), ["the extension ACME_odd is left out"], "{text}");
+        let listed = text.replace("KHR_texture_transform", "ACME_odd");
+        assert_eq!(noted(Format::Gltf, &listed), ["the extension ACME_odd is left out"], "{listed}");
+    }
+}
+
+/// The mirror part of specular glossiness is taken off the diffuse part, as the extension states it.
+#[test]
+fn specular_glossiness_leaves_the_rest_to_diffuse_reflection() {
+    let with = |members: &str| {
+        let extension = format!(
+            "\"extensions\": {{\"KHR_materials_pbrSpecularGlossiness\": {{{members}}}}}, \"pbrMetallicRoughness\""
+        );
+        GLTF.replace("\"pbrMetallicRoughness\"", &extension)
+    };
+    let numbers =
+        [0.0f32, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 1.0, 0.0, 0.0, 1.0];
+    let files =
+        Memory::of([("triangle.bin", numbers.into_iter().flat_map(f32::to_le_bytes).collect::<Vec<u8>>())]);
+    let diffuse = "\"diffuseFactor\": [0.5, 0.5, 0.5, 1]";
+    for (members, reflectance, note) in [
+        (format!("{diffuse}, \"specularFactor\": [0, 0, 0]"), 0.5, None),
+        (format!("{diffuse}, \"specularFactor\": [0.04, 0.02, 0]"), 0.48, None),
+        (format!("{diffuse}, \"specularFactor\": [0.2, 0.6, 0]"), 0.2, Some(SPECULAR)),
+        (diffuse.to_owned(), 0.0, Some(SPECULAR)),
+    ] {
+        let text = with(&members);
+        let model =
+            read(Format::Gltf, "a", text.as_bytes(), &files).unwrap_or_else(|fault| panic!("{fault}"));
+        assert!(
+            (model.materials[0].reflectance[0] - reflectance).abs() < 1e-12,
+            "{members}: {:?}",
+            model.materials
+        );
+        assert_eq!(notes(&model), note.into_iter().collect::<Vec<_>>(), "{members}");
+    }
+}
+
+/// Notes on materials of an OBJ have the file and the line of the statement.
+#[test]
+fn notes_on_materials_have_their_file_and_line() {
+    let files = Memory::of([("a.mtl", &b"newmtl a\nKd .5\nKs 1 1 1\nmap_Kd a.png\nnewmtl b\nKd -1\n"[..])]);
+    let model = read(Format::Obj, "a.obj", OBJ.as_bytes(), &files).unwrap_or_else(|fault| panic!("{fault}"));
+    let places: Vec<_> = model.notes.iter().map(|note| (note.file.as_deref(), note.place)).collect();
+    let at = |line| (Some("a.mtl"), Some(radiosity_photometry::file_place::FilePlace::Line(line)));
+    assert_eq!(places, [at(4), at(3), at(6)]);
 }

@@ -8,6 +8,7 @@ use radiosity_solve::solution::Band;
 use radiosity_solve::solved::Solved;
 use radiosity_solve::studies::adaptation::{Achieved, EndReason};
 use radiosity_solve::{LightMethod, Options, Outcome, Sampling};
+use radiosity_visibility::Shadows;
 use radiosity_visibility::inspection::{BEFORE_OPENINGS, Inspection, before_openings};
 use radiosity_work::digits::significant;
 use radiosity_work::wording::{Wording, option, set, words};
@@ -23,8 +24,9 @@ pub(super) fn warnings(solved: &Solved) -> Vec<Warning> {
     // As many shots as were asked for end where they should.
     let is_short = !outcome.converged && options.shots.is_none();
     let unconverged = is_short.then(|| unconverged(outcome));
-    let adapted = achieved.iter().flat_map(|achieved| adaptation(scene, achieved));
-    let transfers = discretization(scene, options, outcome);
+    let adapted = achieved.iter().flat_map(|achieved| adaptation(scene, options, achieved));
+    let is_reached = achieved.is_some_and(|achieved| achieved.reached());
+    let transfers = discretization(scene, options, outcome, is_reached);
     unconverged
         .into_iter()
         .chain(partial(options, outcome))
@@ -46,11 +48,13 @@ pub fn underestimated(checked: &Checked, read: ReadMode) -> Option<Warning> {
         "the method tells an error of {own} %, and path tracing finds more: {finding}; ask for an "
     )) + option("accuracy")
         + match read {
-            ReadMode::Basis => words(" with ") + set("for", "solution"),
-            ReadMode::Direct | ReadMode::Gather | ReadMode::GatherTwice => words(""),
-        }
-        + ", or a smaller "
-        + option("eps");
+            ReadMode::Basis => {
+                words(" with ") + set("for", "solution") + ", or take " + set("read", "gather")
+            }
+            ReadMode::Direct | ReadMode::Gather | ReadMode::GatherTwice => {
+                words(", or a smaller ") + option("eps")
+            }
+        };
     Some(Warning::general("error-underestimated", message))
 }
 
@@ -113,9 +117,11 @@ fn cure_of_power(options: &Options, outcome: &Outcome) -> Wording {
     let is_direct = checks.energy_lost.abs() > BEYOND * missed * carried;
     if options.masks.is_some() {
         return words(
-            "where surfaces reflect nearly all light, what masks err by counts once for every reflection: take more ",
-        ) + option("mask-cells")
-            + ", or leave "
+            "where surfaces reflect nearly all light, what masks and transfers err by counts once for every reflection: lower ",
+        ) + option("eps")
+            + ", take more "
+            + option("mask-cells")
+            + ", or more cells in [[masks]] that state them, or leave "
             + set("shadows", "mask")
             + " out";
     }
@@ -137,7 +143,10 @@ fn cure_of_power(options: &Options, outcome: &Outcome) -> Wording {
                 false if outcome.links.is_some() => words("send more ") + option("link-rays"),
                 false => words("send more ") + option("rays"),
             };
-            let usual = words("lower ") + option("eps") + ", or " + more;
+            let usual = match options.shadows {
+                Shadows::Off => sees_through(),
+                _ => words("lower ") + option("eps") + ", or " + more,
+            };
             words(
                 "where surfaces reflect nearly all light, the error of the transfers counts once for every reflection: ",
             ) + cure(options, usual)
@@ -176,9 +185,9 @@ fn unconverged(outcome: &Outcome) -> Warning {
 }
 
 /// Warnings if a wanted accuracy was not reached.
-fn adaptation(scene: &Scene, achieved: &Achieved) -> Vec<Warning> {
-    let mut warnings: Vec<Warning> = missed_accuracy(achieved).into_iter().collect();
-    if scene.surfaces.iter().any(|surface| surface.order.is_some() || surface.subdivide.is_some()) {
+fn adaptation(scene: &Scene, options: &Options, achieved: &Achieved) -> Vec<Warning> {
+    let mut warnings: Vec<Warning> = missed_accuracy(scene, options, achieved).into_iter().collect();
+    if states_elements(scene) {
         let message = "some surfaces state their own order or subdivide and keep it: no run is finer there, and what \
                        they miss stays in the estimated error";
         warnings.push(Warning::general("accuracy-fixed", message));
@@ -186,9 +195,14 @@ fn adaptation(scene: &Scene, achieved: &Achieved) -> Vec<Warning> {
     warnings
 }
 
+/// Whether surfaces state their own order or subdivide.
+fn states_elements(scene: &Scene) -> bool {
+    scene.surfaces.iter().any(|surface| surface.order.is_some() || surface.subdivide.is_some())
+}
+
 /// A warning if a wanted accuracy was not reached.
-pub(super) fn missed_accuracy(achieved: &Achieved) -> Option<Warning> {
-    let why = why(achieved.end)?;
+pub(super) fn missed_accuracy(scene: &Scene, options: &Options, achieved: &Achieved) -> Option<Warning> {
+    let why = why(scene, options, achieved.end)?;
     let estimate = match achieved.estimate {
         Some(estimate) => format!("the estimated error is {estimate:.1e}, more than asked for"),
         None => "there is no estimate of the error".to_owned(),
@@ -197,14 +211,10 @@ pub(super) fn missed_accuracy(achieved: &Achieved) -> Option<Warning> {
 }
 
 /// Why no finer run followed and what to do; None if none was needed.
-fn why(end: EndReason) -> Option<Wording> {
+fn why(scene: &Scene, options: &Options, end: EndReason) -> Option<Wording> {
     Some(match end {
         EndReason::Reached => return None,
-        EndReason::Finest => {
-            words("there is no finer run to try: begin with a higher ")
-                + option("order")
-                + ", or ask for less"
-        }
+        EndReason::Finest => words("there is no finer run to try: ") + cure_of_finest(scene, options),
         EndReason::Unknowns => words(
             "the next finer elements would be too many: give surfaces with shadows or small details a subdivide of their \
              own, or ask for less",
@@ -225,9 +235,25 @@ fn why(end: EndReason) -> Option<Wording> {
                 + option("time-limit")
                 + ", or ask for less"
         }
-        EndReason::Walks => words("walks end where each reading has had its most: ask for less"),
+        EndReason::Walks => {
+            words("walks end where each reading has had its most: take ")
+                + set("read-by", "rays")
+                + ", or ask for less"
+        }
         EndReason::Stopped => words("the run was stopped: let it go on, or ask for less"),
     })
+}
+
+/// Advice where the finest run misses the accuracy: a higher order helps where surfaces take it, and where neither
+/// rays nor links carry the light.
+fn cure_of_finest(scene: &Scene, options: &Options) -> Wording {
+    if options.method == LightMethod::Hierarchical || options.rays.is_some() {
+        return words("ask for less");
+    }
+    match states_elements(scene) {
+        true => words("leave out the order and the subdivide that surfaces state, or ask for less"),
+        false => words("begin with a higher ") + option("order") + ", or ask for less",
+    }
 }
 
 /// Share of the power that is lost, and of what an element sends too much, from which the geometry is
@@ -271,10 +297,10 @@ fn rays(sampling: &Sampling) -> Option<Warning> {
 }
 
 /// Warnings about what elements and transfers worst.
-fn discretization(scene: &Scene, options: &Options, outcome: &Outcome) -> Vec<Warning> {
+fn discretization(scene: &Scene, options: &Options, outcome: &Outcome, is_reached: bool) -> Vec<Warning> {
     if let Some(sampling) = outcome.sampling {
-        // What exact pairs miss is a part of it.
-        return rays(&sampling).into_iter().collect();
+        // What exact pairs miss is a part of it; light of the accuracy that was asked for is fine as it is.
+        return rays(&sampling).filter(|_| !is_reached).into_iter().collect();
     }
     let worst = outcome.worst_error.filter(WorstError::is_real);
     let warnings = [
@@ -307,9 +333,21 @@ fn row_sum(options: &Options, outcome: &Outcome) -> Option<Warning> {
             100.0 * excess
         ))
     };
-    let usual = || words("lower ") + option("eps") + ", or subdivide surfaces that meet at small angles";
+    let usual = || match options.shadows {
+        Shadows::Off => sees_through(),
+        _ => words("lower ") + option("eps") + ", or subdivide surfaces that meet at small angles",
+    };
     let allowed = 10.0 * options.eps.max(if outcome.rays > 0 { options.shadow_eps } else { 0.0 });
     (excess > allowed).then(|| Warning::general("row-sum", message() + cure(options, usual())))
+}
+
+/// Advice where elements see what others hide from them.
+fn sees_through() -> Wording {
+    words("lower ")
+        + option("eps")
+        + ", or leave "
+        + set("shadows", "off")
+        + " out, which lets light through surfaces"
 }
 
 /// A warning about transfers whose light grows with each reflection.

@@ -171,7 +171,7 @@ impl Failure {
                 words(
                     "choose fewer pairs in [[masks]], of emitters that reflect little, take weighted masks of more ",
                 ) + option("mask-cells")
-                    + ", or leave "
+                    + ", or of more cells where [[masks]] state them, or leave "
                     + set("shadows", "mask")
                     + " out"
             }

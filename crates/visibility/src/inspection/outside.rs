@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use radiosity_geom::{DVec3, Encounter, PlanarRegion, RayTree, Surface};
 use radiosity_scene::{Scene, SceneSurface};
+use radiosity_work::listed::quoted;
 
 use crate::golden_spiral;
 use crate::inspection::warning::Warning;
@@ -19,9 +20,6 @@ const RAYS: usize = 256;
 /// Rays that have to meet a surface, as one may slip along a wall.
 const LEAST_MET: usize = 3;
 
-/// Most names that a warning spells out.
-const SPELT: usize = 3;
-
 /// A warning for each opening before which something stands outside.
 pub fn before_openings(scene: &Scene) -> Vec<Warning> {
     if !scene.surfaces.iter().any(SceneSurface::is_opening) {
@@ -33,13 +31,11 @@ pub fn before_openings(scene: &Scene) -> Vec<Warning> {
 }
 
 fn warning(scene: &Scene, opening: usize, outside: &BTreeSet<usize>) -> Option<Warning> {
-    let names: Vec<String> = outside.iter().map(|own| format!("{:?}", scene.surfaces[*own].name)).collect();
-    let rest = names.len().saturating_sub(SPELT);
-    let more = if rest > 0 { format!(" and {rest} more") } else { String::new() };
+    let names: Vec<&str> = outside.iter().map(|own| scene.surfaces[*own].name.as_str()).collect();
     let message = format!(
-        "is an opening to the sky, and {}{more}, outside before it, {} none of that: leave the opening a hole, and \
+        "is an opening to the sky, and {}, outside before it, {} none of that: leave the opening a hole, and \
          close the space outside, beyond what stands there, with openings",
-        names[..names.len() - rest].join(", "),
+        quoted(&names),
         if names.len() == 1 { "hides" } else { "hide" },
     );
     (!names.is_empty()).then(|| Warning::about(BEFORE_OPENINGS, &scene.surfaces[opening].name, message))

@@ -69,6 +69,14 @@ pub(super) const ROWS: &[Typed] = &[
         told: &["scene and points cannot both come from standard input", "help: save one of them to a file"],
     },
     Typed {
+        bad: "solve room.toml --accuracy 1e-1 --for points - --checkpoint points",
+        cured: "solve room.toml --accuracy 1e-1 --for points points.csv --checkpoint points",
+        told: &[
+            "--checkpoint: points from standard input cannot be told from others",
+            "help: save them to a file, and give its path",
+        ],
+    },
+    Typed {
         bad: "probe room.toml --plane desk --read basis --read-eps 1e-3",
         cured: "probe room.toml --plane desk --read-eps 1e-3",
         told: &["is the accuracy of recomputed light", "help: leave one of them out"],

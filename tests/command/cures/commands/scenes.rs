@@ -145,7 +145,7 @@ pub(super) const ROWS: &[Typed] = &[
         bad: "check far/inner.toml",
         cured: "check room.toml",
         told: &[
-            "which is not shown, as the file is outside the folder of the scene",
+            "which is not shown, as it stands in a file outside the folder of the scene",
             "help: look at that place in the file",
         ],
     },

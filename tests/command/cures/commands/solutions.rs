@@ -27,6 +27,14 @@ pub(super) const ROWS: &[Typed] = &[
         told: &["--audit says how long another verb is checked", "help: take --seconds instead"],
     },
     Typed {
+        bad: "audit endless.toml --seconds 0.02 --readings 2",
+        cured: "audit cube.toml --seconds 0.02 --readings 2",
+        told: &[
+            "walks of path tracing end at 0 places, too few for a verdict: light goes on",
+            "help: give the materials there a lower reflectance",
+        ],
+    },
+    Typed {
         bad: "solve lists.csv",
         cured: "solve room.toml",
         told: &[

@@ -67,7 +67,7 @@ const ROWS: &[Row] = &[
         part: r#""polygon-1" = "white""#,
         bad: r#""floor" = "white""#,
         cured: r#""polygon-1" = "white""#,
-        told: &[r#"no surface is called "floor""#, "help: surfaces of the scene: polygon-1"],
+        told: &[r#"no surface is called "floor""#, r#"help: surfaces of the scene: "polygon-1""#],
     },
     Row {
         part: r#""polygon-1" = "white""#,

@@ -298,12 +298,12 @@ fn what_is_left_out_is_noted() {
     // (1 − 0.25) of 0.8, half of it for the texture.
     assert!((model.materials[0].reflectance[0] - 0.3).abs() < 1e-15);
     let expected = [
-        "specular reflection is left out",
-        "transparency is left out",
-        "textures are left out: their mean reflectance is taken for 0.5",
         "animations are left out",
         "point lights, spots and directed light are left out",
         "cameras without perspective are left out",
+        "specular reflection is left out",
+        "textures are left out: their mean reflectance is taken for 0.5",
+        "transparency is left out",
         "points and lines are left out",
         "12 coplanar triangles were merged to 6 polygons",
     ];

@@ -73,11 +73,11 @@ fn the_cube_is_six_squares_of_two_materials() {
     assert_eq!(model.surfaces[1].place, Some(FilePlace::Line(20)));
     // All corners name the one normal, which two sides have, one of them reversed.
     let expected = [
-        "normals of vertices that point to the back of their face are left out: the order of corners tells the front",
         "normals of vertices are left out: faces are flat",
+        "normals of vertices that point to the back of their face are left out: the order of corners tells the front",
     ];
     assert_eq!(notes(&model), expected);
-    assert_eq!([model.notes[0].count, model.notes[1].count], [1, 4]);
+    assert_eq!([model.notes[0].count, model.notes[1].count], [4, 1]);
 }
 
 #[test]

@@ -136,12 +136,12 @@ fn all_entities_are_read() {
     assert_eq!(
         notes(&model),
         [
-            "specular reflection is left out",
-            "specular transmission is left out",
-            "diffuse transmission is left out",
-            "indices of refraction are left out",
             "normals of vertices are left out: faces are flat",
             "a face of four corners is off its plane: it is a bilinear patch",
+            "indices of refraction are left out",
+            "specular reflection is left out",
+            "diffuse transmission is left out",
+            "specular transmission is left out",
             "luminaires with measured light (ies) are left out",
         ]
     );

@@ -189,10 +189,11 @@ impl SavedScene {
             let bytes = bytes.map_err(|_| SolutionFault::Whole(Mismatch("a picture")))?;
             Ok::<_, SolutionFault>(source.with_picture(&own.origin, bytes))
         })?;
-        let source = match self.moment {
+        let mut source = match self.moment {
             Some(moment) => source.at(moment),
             None => source,
         };
+        source.record_outside(self.outside.iter().cloned());
         let scene =
             radiosity_language::read(&source).map_err(|error| SolutionFault::Scene(Box::new(error)))?;
         if scene.name != self.name {

@@ -1,6 +1,6 @@
 //! The tree of the file.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use base64::{Engine, prelude::BASE64_STANDARD as STANDARD};
 use radiosity_elements::Discretization;
@@ -77,6 +77,9 @@ pub(super) struct SavedScene {
     /// The pictures of its materials.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub(super) pictures: Vec<SavedPicture>,
+    /// The files that were read outside its folder, of which messages show nothing.
+    #[serde(default, skip_serializing_if = "BTreeSet::is_empty")]
+    pub(super) outside: BTreeSet<String>,
     /// Distance within which corners were made to agree, if the user gave one (scene length).
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub(super) tolerance: Option<f64>,
@@ -159,6 +162,7 @@ impl SolutionFile {
                 text: scene.source.as_ref().map(|source| source.text().into_owned()),
                 included: included(scene),
                 pictures: pictures(scene),
+                outside: scene.source.as_ref().map(|source| source.outside().clone()).unwrap_or_default(),
                 tolerance: scene.source.as_ref().and_then(|source| source.tolerance),
                 moment: scene.source.as_ref().and_then(|source| source.moment),
                 settings: scene.source.as_ref().map(|source| (*source.settings).clone()).unwrap_or_default(),
