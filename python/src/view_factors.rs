@@ -107,6 +107,7 @@ fn factors(
         pairs.iter().map(indices).collect::<Result<BTreeSet<_>, SceneError>>().map_err(Trouble::from)?;
     let wanted = |i, j| pairs.is_empty() || pairs.contains(&[i, j]);
     let options = request.factors().map_err(Trouble::from)?;
+    let eps = options.accuracy.eps;
     let from: BTreeSet<usize> = match pairs.is_empty() {
         true => (0..scene.surfaces.len()).collect(),
         false => pairs.iter().map(|pair| pair[0]).collect(),
@@ -134,7 +135,7 @@ fn factors(
     if let Some(worst) = factors.worst_error.filter(WorstError::is_real) {
         warn(py, &missed(&worst, worst.pair.map(|surface| &factors.names[surface][..])))?;
     }
-    if let Some(missed) = missed_by_rays(&factors, request.accuracy().eps) {
+    if let Some(missed) = missed_by_rays(&factors, eps) {
         warn(py, &missed)?;
     }
     if let Some(finding) = told.checked.as_ref().and_then(Checked::finding) {

@@ -186,7 +186,8 @@ impl<'a> Shares<'a> {
         let index = (0..=found.min(self.parts.len() - 1)).rev().find(|index| self.parts[*index].share > 0.0);
         let index = index.or_else(|| self.parts.iter().position(|part| part.share > 0.0)).unwrap_or(0);
         let part = &self.parts[index];
-        let rest = (choice * most - (part.end - part.share)) / part.share;
+        // Rounding may lead beyond the part.
+        let rest = ((choice * most - (part.end - part.share)) / part.share).clamp(0.0, 1.0 - f64::EPSILON);
         let place = match (&self.seen, part.node) {
             (Some(seen), Some(node)) => seen.chosen(node, rest),
             _ => part.lamps.start,

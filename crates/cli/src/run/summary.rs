@@ -12,6 +12,7 @@ use radiosity_solve::checks::Checks;
 use radiosity_solve::studies::adaptation::Aim;
 use radiosity_solve::{Functional, Sampling, ShotLimit, Shots, Stages};
 use radiosity_work::digits::decimals;
+use radiosity_work::listed::{LONG, listed};
 
 use super::Run;
 use crate::loaded::remarks;
@@ -198,5 +199,5 @@ fn balance(checks: &Checks) -> String {
 /// The line about light groups, where there are any.
 fn groups(groups: &[LightGroup]) -> Option<String> {
     let list: Vec<String> = groups.iter().map(|group| format!("{} × {}", group.name, group.factor)).collect();
-    (!list.is_empty()).then(|| format!("light groups: {}", list.join(", ")))
+    (!list.is_empty()).then(|| format!("light groups: {}", listed(&list, LONG)))
 }
