@@ -87,7 +87,7 @@ fn the_command_reads_files_outside_and_says_so() {
     for (scene, text, _, outside, content) in scenes() {
         let house = house(scene, &text, outside, &content);
         let [found, _] = done(&house.path().join("room"), &["check", scene]);
-        let told = format!("read outside the folder of the scene (--inside refuses it): {outside}");
+        let told = format!("read outside the folder of the scene: {outside}");
         assert!(found.contains(&told), "{scene}: {found}");
         let [found, _] = done(&house.path().join("room"), &["check", scene, "--format", "json"]);
         let found: serde_json::Value = serde_json::from_str(&found).expect("JSON");
@@ -334,6 +334,8 @@ fn parameters_of_files_outside_are_not_quoted() {
         "<include filename=\"$size\"/>",
         "<shape type=\"ply\"><string name=\"filename\" value=\"$size\"/></shape>",
         "<shape type=\"disk\"><ref id=\"$size\"/></shape>",
+        "<path value=\"$size\"/><include filename=\"x.xml\"/>",
+        "<path value=\"$size\"/><shape type=\"ply\"><string name=\"filename\" value=\"x.ply\"/></shape>",
     ] {
         let house = house("a.xml", &format!("{include}{inner}</scene>"), "../lib/a.xml", part.as_bytes());
         let told = told(&house.path().join("room"), &["check", "a.xml"]);
@@ -341,6 +343,12 @@ fn parameters_of_files_outside_are_not_quoted() {
         let is_known = inner.contains("type=\"$size\"");
         assert!(told.contains("which is not shown") != is_known, "{inner}: {told}");
     }
+    // Nor are names of parameters that they make.
+    let long = part.replace(SECRET, &SECRET.repeat(9));
+    let named = format!("{include}<default name=\"$size\" value=\"1\"/></scene>");
+    let house_of_names = house("a.xml", &named, "../lib/a.xml", long.as_bytes());
+    let refused = told(&house_of_names.path().join("room"), &["check", "a.xml"]);
+    assert!(refused.contains("which is not shown") && !refused.contains(SECRET), "{refused}");
     // Own values are.
     let own = "<scene version=\"3.0.0\"><include filename=\"../lib/a.xml\"/><default name=\"own\" value=\"big\"/>\
                <shape type=\"sphere\"><float name=\"radius\" value=\"$own\"/></shape></scene>";
@@ -371,5 +379,36 @@ fn repairs_show_no_word_of_files_outside() {
     ] {
         let told = told(&room, args);
         assert!(told.contains("help: ") && !told.contains(SECRET), "{args:?}: {told}");
+    }
+}
+
+/// A buffer may be any file: its numbers, which are those of its letters, are not told.
+#[test]
+fn buffers_of_files_outside_are_not_spelt() {
+    let scene = r#"{ "asset": { "version": "2.0" }, "scenes": [{ "nodes": [0] }], "nodes": [{ "mesh": 0 }],
+        "meshes": [{ "primitives": [{ "attributes": { "POSITION": 0 }, "indices": 1 }] }],
+        "buffers": [{ "uri": "../lib/a.bin", "byteLength": 40 }],
+        "bufferViews": [{ "buffer": 0, "byteOffset": 4, "byteLength": 36 }, { "buffer": 0, "byteLength": 12 }],
+        "accessors": [{ "bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3" },
+            { "bufferView": 1, "componentType": 5125, "count": 3, "type": "SCALAR" }] }"#;
+    let house = house("a.gltf", scene, "../lib/a.bin", b"password = hunter2, which is said to none.");
+    let told = told(&house.path().join("room"), &["check", "a.gltf"]);
+    let spelt = u32::from_le_bytes(*b"pass").to_string();
+    assert!(told.contains("a vertex beyond the 3 that are listed") && !told.contains(&spelt), "{told}");
+}
+
+/// Faults of what an import makes show neither lines nor names of a file outside, nor a modifier that it gives.
+#[test]
+fn faults_of_imports_show_no_word_of_files_outside() {
+    let far = format!(
+        "void plastic {SECRET} 0 0 5 0.7 0.7 0.7 0 0\n{SECRET} sphere {SECRET} 0 0 4 0 0 9.9e30 1e30\n"
+    );
+    let given = format!("!xform -m {SECRET} ../room/in.rad\n");
+    for (lib, inner) in [(far, ""), (given, "void sphere s 0 0 4 0 0 2 0.5\n")] {
+        let house = house("a.rad", "!xform ../lib/a.rad\n", "../lib/a.rad", lib.as_bytes());
+        let room = house.path().join("room");
+        std::fs::write(room.join("in.rad"), inner).expect("it can be written");
+        let told = told(&room, &["check", "a.rad"]);
+        assert!(told.contains("which is not shown") && !told.contains(SECRET), "{told}");
     }
 }

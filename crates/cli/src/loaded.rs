@@ -170,8 +170,7 @@ pub(crate) fn relit(solved: Solved, factors: &[(&str, f64)]) -> Result<Solved, C
 pub(crate) fn outside(scene: &Scene) -> Option<String> {
     let files = scene.source.as_ref()?.outside();
     let names: Vec<&str> = files.iter().map(String::as_str).collect();
-    let told =
-        || format!("read outside the folder of the scene (--inside refuses it): {}", listed(&names, LONG));
+    let told = || format!("read outside the folder of the scene: {}", listed(&names, LONG));
     (!names.is_empty()).then(told)
 }
 

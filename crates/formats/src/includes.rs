@@ -32,6 +32,11 @@ impl<'a> Includes<'a> {
         self.open.last().map_or("", |(shown, _)| shown)
     }
 
+    /// Names of all open files, for messages.
+    pub(crate) fn open(&self) -> impl Iterator<Item = &str> {
+        self.open.iter().map(|(shown, _)| &**shown)
+    }
+
     /// Name of the innermost open file, if it is an included one.
     pub(crate) fn included(&self) -> Option<&str> {
         (self.open.len() > 1).then(|| self.current())

@@ -42,7 +42,7 @@ pub struct Lamps {
 #[derive(Debug)]
 pub struct Shares<'a> {
     lamps: &'a Lamps,
-    /// Those of a tree, where several share a part.
+    /// The emitters of a tree, where several share a part.
     seen: Option<SeenTree<'a>>,
     /// Parts of the list, one after the other, that cover it. Those of few emitters take no memory of their own,
     /// which each end of a ray would ask for.
@@ -288,8 +288,8 @@ mod tests {
         }
     }
 
-    /// The second moment of a choice is below that of even shares where 1/d² varies from m to M = (1.25/0.75)² m, which is
-    /// (m + M)²/(4 m M) = 1.29 at most (Kantorovich's inequality).
+    /// The second moment of a choice is below that of even shares where 1/d² varies from m to M = (1.25/0.75)² m,
+    /// which is (m + M)²/(4 m M) = 1.29 at most (Kantorovich's inequality).
     #[test]
     fn many_emitters_get_about_what_they_send() {
         let elements = elements();

@@ -321,7 +321,10 @@ impl Source {
                     place
                 })
             }
-            (None, Content::Text(text, lines)) => Some(lines.place(&self.origin, text, span)),
+            (None, Content::Text(text, lines)) => {
+                let place = lines.place(&self.origin, text, span);
+                Some(if self.is_joined() { Place { text: String::new(), ..place } } else { place })
+            }
             (None, Content::Tree(_)) => None,
         }
     }
@@ -344,6 +347,7 @@ impl Located {
     pub fn in_source(self, source: &Source) -> SceneError {
         let Located { fault, span, owner } = match &self.span {
             Some(span) if source.is_outside(span.start) => self.discreet(),
+            Some(_) if source.is_joined() => self.discreet(),
             _ => Located { fault: source.listing(self.fault), ..self },
         };
         let (place, owner) = match span {

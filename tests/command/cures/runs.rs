@@ -94,9 +94,7 @@ pub(super) const ROWS: &[Typed] = &[
     Typed {
         bad: "solve mirror.toml --eps 1e-1 --order 5 --audit 0.001",
         cured: "solve mirror.toml --eps 1e-8 --order 5 --audit 0.001",
-        told: &[
-            "the error of the transfers counts once for every reflection: lower --eps, or send more --rays",
-        ],
+        told: &["the error of the transfers counts once for every reflection: lower --eps"],
     },
     Typed {
         bad: "solve mirror.toml --shadows mask --order 2",

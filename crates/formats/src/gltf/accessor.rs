@@ -209,7 +209,8 @@ impl<'a, 'b> Accessors<'a, 'b> {
         for row in 0..sparse.count {
             let index = indices.number(row, 0).map_or(usize::MAX, |index| index as usize);
             if index >= count {
-                return refuse(format!("it replaces the row {index}; it has {count}, from 0 on"), CORRECT);
+                // The row is not told: a buffer may be any file.
+                return refuse(format!("it replaces a row beyond the {count} that it has"), CORRECT);
             }
             places.insert(index, row);
         }

@@ -284,7 +284,8 @@ fn corners_of(vertices: [usize; 3], points: &Data, world: &DMat4) -> Result<Vec<
     let corner = |vertex: &usize| {
         let point = points.point(*vertex).ok_or_else(|| {
             Refusal::new(
-                format!("a triangle has the vertex {vertex}; {} are listed, from 0 on", points.count),
+                // The index is not told: a buffer may be any file.
+                format!("a triangle has a vertex beyond the {} that are listed", points.count),
                 "correct the index, or export the model again",
             )
         })?;

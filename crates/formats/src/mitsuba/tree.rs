@@ -64,7 +64,15 @@ struct Source {
     /// Whether the file is of Mitsuba 0, whose names are written in another way.
     is_old: bool,
     /// Folders that files are looked for in, seen from the scene's folder; the first that has one counts.
-    folders: Vec<String>,
+    folders: Vec<SearchedFolder>,
+}
+
+/// A folder that files are looked for in, and the files that name it.
+#[derive(Clone)]
+struct SearchedFolder {
+    /// Its path from the scene's folder.
+    path: String,
+    sources: Sources,
 }
 
 impl Source {
@@ -79,7 +87,7 @@ impl Source {
 
 impl Reader<'_> {
     /// The root element of a file.
-    fn file(&mut self, text: &str, outer: &[String], depth: usize) -> Result<Element, Refusal> {
+    fn file(&mut self, text: &str, outer: &[SearchedFolder], depth: usize) -> Result<Element, Refusal> {
         let name: Rc<str> = self.includes.current().into();
         check(text).and_then(|()| self.budget.spend(text.len())).map_err(|fault| fault.in_file(&name))?;
         let options = ParsingOptions { nodes_limit: 4 * MOST_ELEMENTS as u32, ..ParsingOptions::default() };
@@ -90,7 +98,12 @@ impl Reader<'_> {
             name,
             lines: std::iter::once(0).chain(ends.map(|(at, _)| at + 1)).collect(),
             is_old: root.attribute("version").is_some_and(is_old),
-            folders: std::iter::once(self.includes.beside(".")).chain(outer.iter().cloned()).collect(),
+            folders: std::iter::once(SearchedFolder {
+                path: self.includes.beside("."),
+                sources: Sources::new(),
+            })
+            .chain(outer.iter().cloned())
+            .collect(),
         };
         self.element(root, &mut source, depth)
     }
@@ -149,7 +162,7 @@ impl Reader<'_> {
             let mut value = self.parameters.fill(attribute.value(), quoted)?.into_owned();
             match attribute.name() {
                 "name" if source.is_old => value = snake(&value),
-                "value" if is_file => value = self.found(&value, source),
+                "value" if is_file => value = self.found(&value, source, quoted),
                 _ => {}
             }
             attributes.push((attribute.name().to_owned(), value));
@@ -177,7 +190,10 @@ impl Reader<'_> {
         let attributes = self.attributes(node, &plain, &mut sources)?;
         let value = |wanted: &str| attributes.iter().find(|(name, _)| name == wanted).map(|(_, value)| value);
         match (value("name"), value("value")) {
-            (Some(name), Some(value)) => self.parameters.add(name, value, sources),
+            (Some(name), Some(value)) => {
+                let quoted = sources.clone();
+                self.parameters.add(name, value, sources).map_err(|fault| fault.quoting(names(&quoted)))
+            }
             _ => refuse("a <default> has no name or no value", "write <default name=\"…\" value=\"…\"/>"),
         }
     }
@@ -190,25 +206,29 @@ impl Reader<'_> {
         if source.folders.len() > DEEPEST {
             return refuse(format!("more than {DEEPEST} folders"), "take a <path> out");
         }
-        let folder = self.includes.beside(&self.parameters.fill(value, &mut Sources::new())?);
-        source.folders.insert(0, folder);
+        let mut sources = Sources::from([source.name.clone()]);
+        let path = self.includes.beside(&self.parameters.fill(value, &mut sources)?);
+        source.folders.insert(0, SearchedFolder { path, sources });
         Ok(())
     }
 
     /// The path of a file seen from the scene's folder: in the first folder that has it, or in the first of
-    /// all.
-    fn found(&mut self, name: &str, source: &Source) -> String {
-        let path =
-            |folder: &String| if folder.is_empty() { name.to_owned() } else { format!("{folder}/{name}") };
+    /// all. The files that name this folder are added to `quoted`.
+    fn found(&mut self, name: &str, source: &Source, quoted: &mut Sources) -> String {
+        let path = |folder: &SearchedFolder| match folder.path.is_empty() {
+            true => name.to_owned(),
+            false => format!("{}/{name}", folder.path),
+        };
         let mut paths: Vec<String> = source.folders.iter().map(path).collect();
-        if paths.len() == 1 {
-            return paths.remove(0);
-        }
+        let is_one = paths.len() == 1;
         let first = paths.iter().position(|path| match self.is_there.get(path) {
+            _ if is_one => true,
             Some(is_there) => *is_there,
             None => *self.is_there.entry(path.clone()).or_insert(self.includes.has(path)),
         });
-        paths.swap_remove(first.unwrap_or(0))
+        let first = first.unwrap_or(0);
+        quoted.extend(source.folders[first].sources.iter().cloned());
+        paths.swap_remove(first)
     }
 
     fn include(&mut self, node: Node<'_, '_>, source: &Source, depth: usize) -> Result<Element, Refusal> {
@@ -219,15 +239,20 @@ impl Reader<'_> {
             };
             reader.budget.spend_on_include()?;
             let name = reader.parameters.fill(name, &mut quoted)?.into_owned();
-            let path = reader.found(&name, source);
+            let path = reader.found(&name, source, &mut quoted);
             reader.includes.enter(&path)
         };
         let text = enter(self);
-        let text = text.map_err(|fault| source.at(node, fault.quoting(quoted.iter().map(|own| &**own))))?;
+        let text = text.map_err(|fault| source.at(node, fault.quoting(names(&quoted))))?;
         let included = self.file(&text, &source.folders, depth)?;
         self.includes.leave();
         Ok(included)
     }
+}
+
+/// The names of files, for refusals.
+fn names(files: &Sources) -> impl Iterator<Item = &str> {
+    files.iter().map(|own| &**own)
 }
 
 /// Refuses what would take long to read.

@@ -98,7 +98,11 @@ impl<'a> Reader<'a> {
         frame: &Frame,
         line: usize,
     ) -> Result<(), Refusal> {
-        let modifier = self.materials.get(frame.modifier.as_deref().unwrap_or(modifier))?;
+        let modifier = match &frame.modifier {
+            // One of the open files gives it.
+            Some(given) => self.materials.get(given).map_err(|fault| fault.quoting(self.includes.open()))?,
+            None => self.materials.get(modifier)?,
+        };
         let coat = match &modifier.meaning {
             Meaning::Coat(coat) => coat.clone(),
             Meaning::Absent(note) => {

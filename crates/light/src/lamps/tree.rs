@@ -23,8 +23,8 @@ use super::lamp::{Lamp, cosine};
 use crate::receiver_point::ReceiverPoint;
 
 /// Radius of a node over its distance, below which it is not opened. Chosen. Measured below a layer of 400 lamps:
-/// with 0.25, 0.5 and 1 the second moment of a choice is 1.03, 1.06 and 1.14 for 1 by single emitters, from 86, 24 and 4
-/// nodes; near that layer 1.08, 1.22 and 1.79.
+/// with 0.25, 0.5 and 1 the second moment of a choice is 1.03, 1.06 and 1.14 for 1 by single emitters, from 86, 24
+/// and 4 nodes; near that layer 1.08, 1.22 and 1.79.
 const FAR: f64 = 0.5;
 
 /// Part of the longest side of a node that a unit between normals counts as, where it is divided: opposed emitters are

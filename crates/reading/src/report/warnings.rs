@@ -137,15 +137,16 @@ fn cure_of_power(options: &Options, outcome: &Outcome) -> Wording {
             ) + set("direct", "projected")
         }
         _ => {
-            let are_cut = outcome.sampling.is_some_and(|sampling| sampling.rays < sampling.planned);
-            let more = match are_cut {
-                true => words("give rays more time with ") + option("time-limit"),
-                false if outcome.links.is_some() => words("send more ") + option("link-rays"),
-                false => words("send more ") + option("rays"),
-            };
-            let usual = match options.shadows {
-                Shadows::Off => sees_through(),
-                _ => words("lower ") + option("eps") + ", or " + more,
+            let usual = match (options.shadows, outcome.sampling) {
+                (Shadows::Off, _) => sees_through(),
+                (_, Some(Sampling { rays, planned, .. })) if rays < planned => {
+                    words("give rays more time with ") + option("time-limit")
+                }
+                (_, Some(_)) => words("send more ") + option("rays"),
+                (_, None) if outcome.links.is_some() => {
+                    words("lower ") + option("eps") + ", or send more " + option("link-rays")
+                }
+                (_, None) => words("lower ") + option("eps"),
             };
             words(
                 "where surfaces reflect nearly all light, the error of the transfers counts once for every reflection: ",

@@ -120,7 +120,7 @@ const ROWS: &[Row] = &[
         bad: r#""count": 3"#,
         cured: r#""count": 4"#,
         told: &[
-            "a triangle has the vertex 3; 3 are listed, from 0 on",
+            "a triangle has a vertex beyond the 3 that are listed",
             "help: correct the index, or export the model again",
         ],
     },
@@ -224,6 +224,6 @@ const ROWS: &[Row] = &[
         part: r#""count": 4, "type": "VEC3""#,
         bad: r#""count": 3, "type": "VEC3", "sparse": {"count": 1, "indices": {"bufferView": 1, "byteOffset": 5, "componentType": 5121}, "values": {"bufferView": 0}}"#,
         cured: r#""count": 4, "type": "VEC3""#,
-        told: &["it replaces the row 3; it has 3, from 0 on", "help: correct it, or export the model again"],
+        told: &["it replaces a row beyond the 3 that it has", "help: correct it, or export the model again"],
     },
 ];

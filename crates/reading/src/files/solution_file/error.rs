@@ -5,7 +5,7 @@ use radiosity_scene::SceneError;
 use thiserror::Error;
 
 /// Value of the key `format_version`: the only version that is written and read.
-pub(super) const VERSION: u32 = 8;
+pub(super) const VERSION: u32 = 9;
 
 /// A solution file that cannot be used. Displays as `file: message`; the cure is separate, see
 /// [`SolutionError::cure`].
