@@ -201,7 +201,7 @@ fn shown(event: Event) -> Option<Event> {
 }
 
 impl HeatArgs {
-    /// What was set, in the order in which it was typed.
+    /// The settings in the order in which they were typed.
     fn settings(&self) -> Result<Vec<Setting>, Fault> {
         self.scene.settings.iter().map(|(name, value)| Setting::of(name, *value)).collect()
     }

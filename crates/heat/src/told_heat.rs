@@ -1,4 +1,4 @@
-//! What files tell of a balance, without its light.
+//! The figures of a balance that files tell, without its light.
 
 use radiosity_audit::Checked;
 use serde::Serialize;
@@ -6,7 +6,7 @@ use serde::Serialize;
 use super::Heat;
 use super::figures::SurfaceHeat;
 
-/// What files tell of a balance of heat.
+/// The figures of a balance of heat that files tell.
 #[derive(Clone, Debug, Serialize)]
 pub struct ToldHeat {
     surfaces: Vec<SurfaceHeat>,

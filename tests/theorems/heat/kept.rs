@@ -88,6 +88,10 @@ fn a_kept_oven_tells_what_it_tells_alone_with_the_same_errors() {
         let alone = Heat::of(&scene, &options, &Work::alone()).unwrap_or_else(|error| panic!("{error}"));
         let found = balance(&mut model, &scene);
         assert!(alone.is_cut && found.is_cut);
+        assert_eq!(
+            found.outcome.checks.spectral_bound, 0.0,
+            "it is not told of heat, and takes longer than all else"
+        );
         let largest = alone.surfaces.iter().map(|own| own.flow.abs()).fold(0.0, f64::max);
         for (own, other) in found.surfaces.iter().zip(&alone.surfaces) {
             for (figure, expected) in figures(own).into_iter().zip(figures(other)) {
@@ -140,7 +144,7 @@ fn a_check_of_one_balance_makes_the_errors_of_others_as_many_times_larger() {
 fn a_sweep_is_checked_where_most_flows() {
     let plates = typed(PLATES);
     let options = Options { order: 0, ..HeatOptions::default().options };
-    let check = CheckRequest { audit: "5".parse().ok() };
+    let check = CheckRequest { audit: "0.5".parse().ok() };
     for (text, expected) in [
         ("foil.temperature=293.15..143/3", 2),
         ("body.temperature=143..293.15/2", 1),

@@ -2,7 +2,7 @@
 
 use radiosity_scene::{Fault, HeatSetting};
 
-/// What is set.
+/// One thing that is set.
 #[derive(Debug)]
 pub(super) enum Setting {
     /// A parameter, a variable or a light group.

@@ -50,6 +50,27 @@ pub(super) const ROWS: &[Typed] = &[
         ],
     },
     Typed {
+        bad: "heat cool.toml --sweep floor=300..310/2",
+        cured: "heat cool.toml --sweep floor.temperature=300..310/2",
+        told: &[
+            "\"floor\" has no key",
+            "write floor.KEY with one of temperature, heat_flux, emissivity as KEY",
+        ],
+    },
+    Typed {
+        bad: "heat cool.toml --sweep floor.temperature=300...310/2",
+        cured: "heat cool.toml --sweep floor.temperature=300..310/2",
+        told: &["more than two points stand there", "write 300..310, or 300..0.310"],
+    },
+    Typed {
+        bad: "heat cool.toml --set floor:back.temperature=310",
+        cured: "heat cool.toml --set floor.temperature=310",
+        told: &[
+            "no surface and no material is called \"floor:back\"",
+            "help: the back of a surface of one side is set in the file: back = \"front\" or back = … (K)",
+        ],
+    },
+    Typed {
         bad: "heat oven --set wall.emissivity=0.5",
         cured: "heat oven --set wall-*.emissivity=0.5",
         told: &["no surface and no material is called \"wall\"", "help: write \"wall-*\""],
