@@ -50,8 +50,9 @@ otherwise. What leaves the scene goes to surroundings at 0 K. Conduction, convec
 they are known, they are a heat_flux.
 
 NAME.KEY of --set and --sweep is a quantity of a surface, of all whose names begin alike (\"wall-*\"), or of the surfaces of
-a material; KEY is temperature, heat_flux or emissivity; backs are set in the file. A sweep finds the transfers once. Path
-tracing checks the balance of the largest flows, and errors of all others are as many times larger.";
+a material; KEY is temperature, heat_flux or emissivity. The back of a surface of one side is set in the file alone. A
+sweep finds the transfers once. Path tracing checks the balance of the largest flows, and errors of all others are as many
+times larger.";
 
 /// Temperatures, net fluxes and flows of radiant heat between grey surfaces
 #[derive(Debug, Args)]
