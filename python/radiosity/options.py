@@ -319,8 +319,7 @@ class Picture(TypedDict, total=False):
     """How a picture is taken.
 
     samples: int
-        Camera rays along each side of a pixel, about: S² + 1 in all, on a square grid that is turned
-        [default: 3].
+        Camera rays along each side of a pixel, about: S² + 1 in all, on a square grid that is turned [default: 3].
 
     read: "basis", "direct", "gather" or "gather-twice"
         Light that the picture shows [default: gather; of .html and .glb direct where that would take two threads more than some ten

@@ -289,8 +289,7 @@ class Scene:
         """The balances of radiant heat for some values of a quantity, by transfers that are found once.
 
         `quantity` is a surface (or "wall-*", all whose names begin so) or a material, and one of temperature, heat_flux and emissivity:
-        "panel.emissivity". Path tracing checks the balance of the least emissivity (else that of the first value), which alone has
-        `checked`; the errors of all others are as many times larger. Options are those of `heat`, without conductances.
+        "panel.emissivity". Path tracing checks the balance of the largest flows, which alone has `checked`; the errors of all others are as many times larger. Options are those of `heat`, without conductances.
         """
         points = [float(value) for value in numbers("values", values, ("n",))]
         with Shown(progress) as observer:

@@ -10,7 +10,7 @@ use pyo3::{PyErr, PyResult, Python, create_exception};
 use radiosity::heat::HeatError;
 use radiosity::reading::files::solution_file::SolutionError;
 use radiosity::reading::files::vtu::VtuError;
-use radiosity::request::{LoadError, Refusal};
+use radiosity::request::{LoadError, Refusal, SweepError};
 use radiosity::scene::{Fault, FaultKind, SceneError};
 use radiosity::solve::Failure;
 use radiosity::solve::animation::error::AnimationError;
@@ -152,6 +152,15 @@ impl From<HeatError> for Trouble {
         match error {
             HeatError::Solve(failure) => failure.into(),
             other => Self::plain(&other, other.cure()),
+        }
+    }
+}
+
+impl From<SweepError> for Trouble {
+    fn from(error: SweepError) -> Self {
+        match error {
+            SweepError::Scene(error) => error.into(),
+            SweepError::Heat(error) => error.into(),
         }
     }
 }

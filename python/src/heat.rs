@@ -71,17 +71,16 @@ pub(crate) fn heats_of(
     let check: CheckRequest = given.fields()?;
     given.finish("heat_sweep")?;
     let sweep = HeatSweep::new(HeatSetting::named(quantity).map_err(Trouble::from)?, values);
-    let scenes = sweep.scenes(&scene.scene).map_err(Trouble::from)?;
-    if scenes.is_empty() {
+    if sweep.values().is_empty() {
         return Ok(Vec::new());
     }
     let options = request.options(&transfers, false, Ranks::alone()).map_err(Trouble::from)?.options;
-    let swept = work(py, observer.as_ref(), |progress| {
-        sweep.balances(&scenes, &options, &check, &Work::alone().observed_by(progress))
+    let mut swept: SweptHeat<library::Heat> = work(py, observer.as_ref(), |progress| {
+        sweep.balances(&scene.scene, &options, &check, &Work::alone().observed_by(progress))
     })?;
-    let SweptHeat { balances, first, unchecked } = swept;
-    warn_of(py, &balances[first])?;
-    Ok(balances.into_iter().map(|heat| Heat::of(heat, scene, unchecked.as_ref())).collect())
+    warn_of(py, &swept.largest)?;
+    let unchecked = swept.unchecked.take();
+    Ok(swept.into_balances().into_iter().map(|heat| Heat::of(heat, scene, unchecked.as_ref())).collect())
 }
 
 /// Warns where a balance may be off.

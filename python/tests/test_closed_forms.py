@@ -105,7 +105,7 @@ def test_a_sweep_of_heat_between_two_spheres():
     heats = scene.heat_sweep("cold.emissivity", emissivities, order=0, progress=False)
     flow = math.pi * scipy.constants.sigma * (800**4 - 300**4) / (1 / 0.7 + 0.25 * (1 / emissivities - 1))
     assert [heat.power[0] for heat in heats] == pytest.approx(flow.tolist(), rel=1e-9)
-    assert [heat.checked is not None for heat in heats] == [False] * 4 + [True], "the least emissivity is checked"
+    assert [heat.checked is not None for heat in heats] == [True] + [False] * 4, "the largest flow is checked"
     assert scene.heat_sweep("hot.temperature", [], progress=False) == []
     with pytest.raises(radiosity.Error, match="warm(.|\n)*hot"):
         scene.heat_sweep("warm.temperature", [300.0], progress=False)

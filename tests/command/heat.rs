@@ -100,7 +100,8 @@ fn a_sweep_tells_what_single_runs_tell() {
     let folder = tempfile::tempdir().unwrap();
     let [swept, told] = heat(folder.path(), &["oven", "--sweep", "brick.emissivity=0.9..0.3/3"]);
     assert!(
-        told.contains("3 values of brick.emissivity") && told.contains("brick.emissivity = 0.3"),
+        told.contains("3 values of brick.emissivity")
+            && told.contains("flows are largest at brick.emissivity = "),
         "{told}"
     );
     let swept = rows(&swept);
@@ -109,7 +110,7 @@ fn a_sweep_tells_what_single_runs_tell() {
         let setting = format!("brick.emissivity={emissivity}");
         let [alone, _] = heat(folder.path(), &["oven", "--set", &setting, "--format", "csv", "-q"]);
         for (own, other) in swept[7 * point..7 * point + 7].iter().zip(rows(&alone)) {
-            assert!((own[0].parse::<f64>().unwrap() - emissivity.parse::<f64>().unwrap()).abs() < 1e-15);
+            assert_eq!(&own[0], *emissivity);
             assert_eq!((&own[1], &own[3]), (&other[0], &other[2]));
             for column in [3, 5, 6] {
                 let [own, other] = [&own[column + 1], &other[column]].map(|own| own.parse::<f64>().unwrap());
@@ -123,7 +124,7 @@ fn a_sweep_tells_what_single_runs_tell() {
     let points = json["points"].as_array().unwrap();
     assert_eq!((points.len(), number(&points[1]["value"])), (2, 1500.0));
     assert_eq!(number(&points[1]["surfaces"][5]["temperature"]), 1500.0);
-    assert!(points[0]["audit"].is_object() && points[1]["audit"].is_null());
+    assert!(points[1]["audit"].is_object() && points[0]["audit"].is_null());
 }
 
 #[test]
@@ -165,10 +166,16 @@ fn wrong_use_is_refused_before_the_work() {
     refused(&["oven", "--order", "21"], &["21"]);
     refused(&["oven", "--set", "panels.emissivity=0.5"], &["panels", "did you mean \"panel\"?"]);
     refused(&["oven", "--set", "panel.emisivity=0.5"], &["emisivity", "did you mean \"emissivity\"?"]);
+    refused(&["oven", "--set", "wall.emissivity=0.5"], &["\"wall-*\"", "begin with \"wall-\""]);
+    refused(&["oven", "--sweep", "panel=0.5..2/3"], &["\"panel\" has no key", "panel.KEY"]);
+    refused(&["oven", "--sweep", "panel.temperature=300...500/2"], &["more than two points", "300..500"]);
     refused(&["oven", "--sweep", "panel.emissivity=0.5..2/3"], &["panel.emissivity", "0 < ε ≤ 1"]);
     refused(&["oven", "--sweep", "panel.emissivity=0.5..0.9"], &["panel.emissivity=0.1..0.9/17"]);
     let sweep = ["oven", "--sweep", "panel.emissivity=0.5..0.9/3"];
     refused(&[&sweep[..], &["--format", "text"]].concat(), &["--format text", "--format csv or json"]);
+    for file in ["x.txt", "x.text"] {
+        refused(&[&sweep[..], &["-o", file]].concat(), &[file, ".csv or .json, or add --format csv or json"]);
+    }
     refused(&[&sweep[..], &["--conductances", "C.csv"]].concat(), &["--sweep", "--conductances"]);
     refused(&["oven", "-o", "x.png", "--format", "csv", "--picture", "x.png"], &["x.png", "figures"]);
     refused(&["oven", "--isolines"], &["--isolines speaks of a picture", "--picture FILE.png"]);
@@ -190,6 +197,19 @@ fn the_error_of_even_fluxes_is_told_where_memory_allows() {
     let told: Vec<String> = (10_000..12_000).step_by(80).filter_map(tell).collect();
     let is_warned = |told: &String| told.contains("no memory or no time to cut elements");
     assert!(told.len() < 25 && is_warned(&told[0]) && !is_warned(&told[told.len() - 1]), "{told:?}");
+}
+
+/// At 900 K all of the oven is at rest, and a panel that hardly emits tells no more.
+#[test]
+fn a_sweep_from_rest_is_checked_where_heat_flows() {
+    let folder = tempfile::tempdir().unwrap();
+    let few = ["heat", "oven", "--transport", "sampled", "--rays", "200", "--audit", "0.5", "--strict"];
+    for sweep in ["panel.temperature=900..1400/2", "panel.emissivity=1e-6..0.9/2"] {
+        let strict = radiosity(folder.path(), &[&few[..], &["--sweep", sweep]].concat());
+        let told = String::from_utf8(strict.stderr).unwrap();
+        assert_eq!(strict.status.code(), Some(3), "{sweep}: {told}");
+        assert!(told.contains("path tracing finds more"), "{told}");
+    }
 }
 
 /// Unit plates 2 cm apart, of which even fluxes tell nearly a tenth too much: `body` sends out 44.34 W (Monte Carlo of

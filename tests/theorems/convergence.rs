@@ -152,9 +152,16 @@ fn a_series_finds_the_known_errors_of_the_empty_box() {
     let fine = outcome_of(&scene, &fine).solution;
     let error = |solution: &Solution| distance(solution, &fine).expect("one scene");
     let reports = Mutex::new(vec![0]);
-    let observe = |progress| {
-        let Progress::Done { stage: Stage::Runs, done, of: 1000 } = progress else { panic!("{progress:?}") };
-        reports.lock().expect("nobody panics").push(done);
+    let solves = Mutex::new([0; 2]);
+    let count = |end: usize| solves.lock().expect("nobody panics")[end] += 1;
+    let observe = |progress| match progress {
+        Progress::Done { stage: Stage::Runs, done, of: 1000 } => {
+            reports.lock().expect("nobody panics").push(done);
+        }
+        Progress::Began { stage: Stage::Solve } => count(0),
+        Progress::Ended { stage: Stage::Solve } => count(1),
+        Progress::Began { .. } | Progress::Ended { .. } => {}
+        other => panic!("{other:?}"),
     };
     let work = Work::alone().observed_by(&observe);
     let options = Options { order: 6, threads: 2, ..Options::default() };
@@ -165,6 +172,7 @@ fn a_series_finds_the_known_errors_of_the_empty_box() {
         let error = runs[order].error.expect("there is a reference");
         assert!((error / known - 1.0).abs() < 0.1, "order {order}: {error} instead of {known}");
     }
+    assert_eq!(solves.into_inner().expect("nobody panicked"), [7; 2], "all stages of all runs are told");
     let reports = reports.into_inner().expect("nobody panicked");
     assert!(reports.is_sorted() && reports.last() == Some(&1000), "progress rises to the end");
 }

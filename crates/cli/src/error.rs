@@ -6,7 +6,7 @@ use radiosity_audit::HeatFault;
 use radiosity_heat::HeatError;
 use radiosity_published::hierarchy::HierarchyError;
 use radiosity_reading::files::solution_file::SolutionError;
-use radiosity_request::{LoadError, Refusal};
+use radiosity_request::{LoadError, Refusal, SweepError};
 use radiosity_scene::{Fault, SceneError};
 use radiosity_solve::Failure;
 use radiosity_solve::animation::error::AnimationError;
@@ -110,6 +110,15 @@ impl From<HeatError> for CliError {
         match error {
             HeatError::Solve(failure) => Self::Solve(failure),
             other => Self::Heat(other),
+        }
+    }
+}
+
+impl From<SweepError> for CliError {
+    fn from(error: SweepError) -> Self {
+        match error {
+            SweepError::Scene(error) => error.into(),
+            SweepError::Heat(error) => error.into(),
         }
     }
 }

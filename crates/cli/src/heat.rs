@@ -1,6 +1,7 @@
 //! `radiosity heat`: temperatures and net flows of radiant heat.
 
 mod picture;
+mod setting;
 mod sweep;
 
 use std::path::{Path, PathBuf};
@@ -16,7 +17,7 @@ use radiosity_kernel::WorstError;
 use radiosity_output::documents::heat as output;
 use radiosity_reading::accuracy_warning::missed;
 use radiosity_request::{HeatRequest, HeatSweep, SceneRequest};
-use radiosity_scene::{HeatSetting, Scene};
+use radiosity_scene::{Fault, Scene, SceneError};
 use radiosity_work::digits::significant;
 use radiosity_work::ranks::Ranks;
 use radiosity_work::{Observer, Progress as Event, Stage, Work};
@@ -26,6 +27,7 @@ use crate::{
     error::CliError,
     format,
     heat::picture::{HeatPicture, PictureArgs},
+    heat::setting::Setting,
     options::SceneArg,
     output_file::OutputFile,
     progress::Progress,
@@ -48,8 +50,9 @@ otherwise. What leaves the scene goes to surroundings at 0 K. Conduction, convec
 they are known, they are a heat_flux.
 
 NAME.KEY of --set and --sweep is a quantity of a surface, of all whose names begin alike (\"wall-*\"), or of the surfaces of
-a material; KEY is temperature, heat_flux or emissivity. A sweep finds the transfers once, at its least emissivity. Path
-tracing checks the balance there, and errors of all others are as many times larger.";
+a material; KEY is temperature, heat_flux or emissivity. The back of a surface of one side is set in the file alone. A
+sweep finds the transfers once. Path tracing checks the balance of the largest flows, and errors of all others are as many
+times larger.";
 
 /// Temperatures, net fluxes and flows of radiant heat between grey surfaces
 #[derive(Debug, Args)]
@@ -145,11 +148,12 @@ const DIGITS: usize = 6;
 pub(crate) fn run(args: &HeatArgs, given: &TypedOptions, ranks: &Ranks) -> Result<(), CliError> {
     let start = Instant::now();
     let options = args.request.options(&args.transfers.request, args.conductances.is_some(), ranks)?;
-    let read = args.read(ranks)?;
-    let scene = args.set(read.clone())?;
+    let settings = args.settings()?;
+    let read = args.with_parameters(&settings, ranks)?;
+    let scene = with_heat(&read, &settings)?;
     let ranks = &args.transfers.checkpoint.recording(given, &scene, &[], ranks)?;
     if let Some(sweep) = &args.sweep {
-        return sweep::run(sweep, args, &options.options, start, [&read, &scene], ranks);
+        return sweep::run(sweep, args, &options.options, start, &read, &scene, ranks);
     }
     let files = HeatFiles::reserve(args, &scene, ranks)?;
     let progress = Progress::new(args.transfers.quiet, start, ranks);
@@ -175,6 +179,11 @@ pub(crate) fn run(args: &HeatArgs, given: &TypedOptions, ranks: &Ranks) -> Resul
     let written = args.output.iter().chain(&args.conductances).chain(&args.picture.picture);
     let findings = findings(&scene, &heat, unchecked.as_ref());
     args.transfers.tell(first, &read, findings, written, ranks);
+    judge(args, &heat)
+}
+
+/// Fails where a strict run finds more than the balance tells.
+fn judge(args: &HeatArgs, heat: &Heat) -> Result<(), CliError> {
     match heat.checked.as_ref().filter(|checked| args.scene.strict && checked.finds_more()) {
         Some(checked) => Err(CliError::FoundMore { what: "the heat is", told: checked.own_error }),
         None => Ok(()),
@@ -193,25 +202,24 @@ fn shown(event: Event) -> Option<Event> {
 }
 
 impl HeatArgs {
-    /// The scene with its parameters, variables and light groups as they were set.
-    fn read(&self, ranks: &Ranks) -> Result<Scene, CliError> {
-        let request = self.scene.request();
-        let settings = request.settings.into_iter().filter(|(name, _)| !is_of_heat(name)).collect();
-        Ok(SceneRequest { settings, ..self.scene.request() }.load_lit(ranks)?)
+    /// The settings in the order in which they were typed.
+    fn settings(&self) -> Result<Vec<Setting>, Fault> {
+        self.scene.settings.iter().map(|(name, value)| Setting::of(name, *value)).collect()
     }
 
-    /// The scene with the heat of its surfaces as it was set.
-    fn set(&self, mut scene: Scene) -> Result<Scene, CliError> {
-        for (name, value) in self.scene.settings.iter().filter(|(name, _)| is_of_heat(name)) {
-            scene = scene.with_heat(&HeatSetting::named(name)?, *value)?;
-        }
-        Ok(scene)
+    /// The scene with its parameters, variables and light groups as they were set.
+    fn with_parameters(&self, settings: &[Setting], ranks: &Ranks) -> Result<Scene, CliError> {
+        let settings = settings.iter().filter_map(Setting::parameter).collect();
+        Ok(SceneRequest { settings, ..self.scene.request() }.load_lit(ranks)?)
     }
 }
 
-/// Whether the name of a setting is that of a quantity of heat, with a key behind a point.
-fn is_of_heat(name: &str) -> bool {
-    name.contains('.')
+/// The scene with the heat of its surfaces as it was set.
+fn with_heat(read: &Scene, settings: &[Setting]) -> Result<Scene, SceneError> {
+    settings.iter().try_fold(read.clone(), |scene, setting| match setting {
+        Setting::Heat { quantity, value } => scene.with_heat(quantity, *value),
+        Setting::Parameter { .. } => Ok(scene),
+    })
 }
 
 /// The files of a balance, reserved before the work.

@@ -3,6 +3,7 @@
 //! Time counts for the stage that began last and has not ended, each moment for one; what lies in none counts for the
 //! part of the run that was entered last: the reading of its scene, then nothing, then what is made for its files.
 
+use std::collections::BTreeMap;
 use std::time::{Duration, Instant};
 
 use radiosity_reading::report::Seconds;
@@ -89,11 +90,17 @@ impl Ledger {
 
     /// The seconds of the stages, those of every solution also where they are none.
     pub(crate) fn report(&mut self) -> Seconds {
-        let usual =
-            [Stage::Visibility, Stage::Elements, Stage::Direct, Stage::Blocks, Stage::Solve, Stage::Estimate];
-        let none = usual.into_iter().chain([Stage::Output]).map(|stage| (stage.name(), 0.0));
-        let spent = self.stages().map(|(stage, seconds)| (stage.name(), seconds));
-        let stages = none.chain(spent.collect::<Vec<_>>()).collect();
+        let always = [
+            Stage::Visibility,
+            Stage::Elements,
+            Stage::Direct,
+            Stage::Blocks,
+            Stage::Solve,
+            Stage::Estimate,
+            Stage::Output,
+        ];
+        let mut stages: BTreeMap<_, _> = always.map(|stage| (stage.name(), 0.0)).into();
+        stages.extend(self.stages().map(|(stage, seconds)| (stage.name(), seconds)));
         Seconds { stages, total: self.seconds() }
     }
 

@@ -263,8 +263,8 @@ impl ViewFactorsArgs {
         let Some(effort) = check.of_factors(factors, options, from.len(), scene) else {
             return Ok(CheckedFactors::unjudged(factors));
         };
-        let judged = || CheckedFactors::judged(scene, factors, &from, &wanted, &effort, work);
-        let judged = || work.during(Stage::Referee, judged);
+        let judge = || CheckedFactors::judged(scene, factors, &from, &wanted, &effort, work);
+        let judged = || work.during(Stage::Referee, judge);
         Ok(in_threads(work.ranks.threads(options.threads), judged)?)
     }
 

@@ -4,14 +4,14 @@
 //! difference that was found ([`Checked`](radiosity_audit::Checked)), d of a flow, d/(4 σ T³ A) of a temperature.
 //!
 //! Balances of kept transfers share a check: the errors of each surface grow by the factors by which they grew where it
-//! was made.
+//! was made, and by κ where there was none that could grow.
 
 use radiosity_audit::{Effort, HeatFault, evenly};
 use radiosity_scene::Scene;
 use radiosity_work::Work;
 
 use super::Heat;
-use super::figures::ErrorGrowth;
+use super::figures::{ErrorGrowth, SurfaceHeat};
 use super::judging::JudgedHeat;
 
 impl Heat {
@@ -44,9 +44,9 @@ impl Heat {
         if unread.is_empty() { Ok(()) } else { Err(HeatFault::NoLevel { surfaces: unread }) }
     }
 
-    /// Makes the errors of a balance larger as a check has made those of another one of the same surfaces.
-    pub fn check_like(&mut self, checked: &Self) {
-        for (own, growth) in self.surfaces.iter_mut().zip(&checked.growth) {
+    /// Makes the errors of other figures of the same surfaces larger as a check has made those of this balance.
+    pub fn check_others(&self, others: &mut [SurfaceHeat]) {
+        for (own, growth) in others.iter_mut().zip(&self.growth) {
             own.temperature_error *= growth.temperature;
             own.flow_error *= growth.flow;
         }
@@ -64,7 +64,8 @@ impl Heat {
             self.take_difference(looked.surface, checked.told(0.0, Some(reading)));
         }
         let pairs = before.iter().zip(&self.surfaces);
-        self.growth = pairs.map(|(before, after)| ErrorGrowth::between(before, after)).collect();
+        let growth = |(before, after)| ErrorGrowth::between(before, after, checked.error_factor);
+        self.growth = pairs.map(growth).collect();
         self.checked = Some(checked);
     }
 

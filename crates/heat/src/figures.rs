@@ -46,9 +46,9 @@ pub(super) struct ErrorGrowth {
 }
 
 impl ErrorGrowth {
-    /// The growth from one figure of a surface to another.
-    pub(super) fn between(before: &SurfaceHeat, after: &SurfaceHeat) -> Self {
-        let factor = |before: f64, after: f64| if before > 0.0 { after / before } else { 1.0 };
+    /// The growth from one figure of a surface to another; `usual` where the first one is 0.
+    pub(super) fn between(before: &SurfaceHeat, after: &SurfaceHeat, usual: f64) -> Self {
+        let factor = |before: f64, after: f64| if before > 0.0 { after / before } else { usual };
         Self {
             temperature: factor(before.temperature_error, after.temperature_error),
             flow: factor(before.flow_error, after.flow_error),
@@ -186,5 +186,31 @@ impl SurfaceHeat {
     pub(super) fn kelvin_of(&self, level: f64) -> f64 {
         let slope = 4.0 * STEFAN_BOLTZMANN * self.temperature.powi(3);
         if slope > 0.0 { level / slope } else { kelvin(level) }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// An error of 0 says nothing of how far it is from the true one.
+    #[test]
+    fn errors_of_nothing_grow_as_those_of_all() {
+        let surface = |flow_error| SurfaceHeat {
+            name: "wall".to_owned(),
+            area: 1.0,
+            emissivity: Some(0.5),
+            temperature: 300.0,
+            is_temperature_known: true,
+            is_flow_known: false,
+            flux: 0.0,
+            flow: 0.0,
+            radiosity: 0.0,
+            irradiance: 0.0,
+            temperature_error: 0.0,
+            flow_error,
+        };
+        let growth = |before, after| ErrorGrowth::between(&surface(before), &surface(after), 4.0).flow;
+        assert_eq!([growth(0.0, 0.0), growth(0.0, 2.0), growth(0.5, 1.0)], [4.0, 4.0, 2.0]);
     }
 }

@@ -25,7 +25,7 @@ impl Finer {
     /// # Errors
     /// As [`Transfers::on`].
     pub(super) fn of(cut: Cut, case: &Case, work: &Work<'_>) -> Result<Self, HeatError> {
-        let compared = |progress| of_comparison(progress).into_iter().for_each(|own| work.report(own));
+        let compared = comparing(work);
         let [eps, shadow_eps] =
             [case.options.eps, case.options.shadow_eps].map(|own| (COARSER * own).min(LARGEST_EPS));
         let options = Options { order: cut.order, eps, shadow_eps, ..case.options };
@@ -39,7 +39,7 @@ impl Finer {
     /// # Errors
     /// What the solver refuses; more heat drawn than arrives.
     pub(super) fn figures(&mut self, case: &Case, work: &Work<'_>) -> Result<Vec<SurfaceHeat>, HeatError> {
-        let compared = |progress| of_comparison(progress).into_iter().for_each(|own| work.report(own));
+        let compared = comparing(work);
         let solve = || self.transfers.light(case, &work.observed_by(&compared));
         let outcome = work.during(Stage::Comparison, solve)?;
         figures(&case.scene, &case.roles, &outcome)
@@ -54,6 +54,11 @@ impl Finer {
     pub(super) fn factor(&self, case: &Case, outcome: &Outcome) -> Option<f64> {
         self.cut.factor(&case.roles, outcome)
     }
+}
+
+/// Tells of work that estimates the error of another one.
+fn comparing(work: &Work<'_>) -> impl Fn(Progress) {
+    move |progress| of_comparison(progress).into_iter().for_each(|own| work.report(own))
 }
 
 /// Progress of a solution that is made to estimate the error of another: its stages are parts of one.

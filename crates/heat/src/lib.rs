@@ -25,8 +25,8 @@
 //! `figures` (of each surface), `field` (σ T⁴ over surfaces), `shields`, `conductances`, `cut` (elements that
 //! tell the error), `forecast`, `case` (a scene, its roles and options), `transfers` between its elements and
 //! the `finer` ones of a cut, [`Heat`], the balance, [`HeatModel`], transfers that are kept for many of them,
-//! [`judging`], what a referee says of one, `checking`, its errors made true by that, and [`remarks`] on
-//! both.
+//! [`judging`], what a referee says of one, [`remarks`] on both, `checking`, errors made true by that, and
+//! [`ToldHeat`], what files tell of a balance.
 //!
 //! Imports `core`, `geom`, `solvers`, `work`, `fit`, `scene`, `audit`, `visibility`, `elements`, `kernel` and `solve`.
 
@@ -50,6 +50,7 @@ mod heat_model;
 pub mod judging;
 pub mod remarks;
 mod checking;
+mod told_heat;
 
 use radiosity_audit::Checked;
 use radiosity_scene::{Scene, SceneSurface};
@@ -68,6 +69,7 @@ use figures::{ErrorGrowth, add_errors, add_errors_of_blocks, difference, figures
 use finer::Finer;
 pub use heat_model::HeatModel;
 use roles::named;
+pub use told_heat::ToldHeat;
 use transfers::Transfers;
 
 /// Largest share of what surfaces exchange that may leave a scene that counts as closed, however large the errors are.
@@ -213,6 +215,11 @@ impl Heat {
         };
         add_errors(&mut self.surfaces, &others, factor, least.max(by_rays).max(tolerance));
         Ok(())
+    }
+
+    /// Sum of the sizes of all flows (W).
+    pub fn flows(&self) -> f64 {
+        self.surfaces.iter().map(|own| own.flow.abs()).sum()
     }
 
     /// Whether no heat leaves the scene, as far as is known: the flows sum to 0 within their errors, and to less than a

@@ -48,6 +48,7 @@ impl Transfers {
     }
 
     fn closed(model: Model, case: &Case, options: &Options, work: &Work<'_>) -> Result<Self, HeatError> {
+        let model = model.without_spectral_bound();
         let make = || work.during(Stage::Closure, || close(&case.scene, model, options));
         let (model, closure) = options.in_threads(work.ranks, make)?;
         Ok(Self { model, closure })

@@ -8,7 +8,7 @@ mod teapot;
 mod arcs;
 mod temple;
 
-use radiosity_scene::{Fault, FaultKind};
+use radiosity_scene::{Fault, FaultKind, HeatSetting};
 use radiosity_work::wording::{command, words};
 
 /// A scene that lives in the binary.
@@ -291,7 +291,8 @@ impl Builtin {
         let known: Vec<String> = self.parameters.iter().map(|parameter| parameter.name.to_owned()).collect();
         let none = words("this scene has no parameters; ") + command("scenes") + " lists those that have";
         let cause = format!("there is no parameter {name:?}");
-        Fault::unknown_or(cause, name, known, "parameters of this scene", none)
+        let unknown = || Fault::unknown_or(cause, name, known, "parameters of this scene", none);
+        HeatSetting::misplaced(name).unwrap_or_else(unknown)
     }
 }
 

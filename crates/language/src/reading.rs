@@ -5,7 +5,7 @@ use std::{collections::BTreeSet, io, path::Path};
 use radiosity_formats::format::Format;
 use radiosity_photometry::files::Reach;
 use radiosity_scene::{
-    Fault, FaultKind, Scene, SceneError, SceneSurface, Source,
+    Fault, FaultKind, HeatSetting, Scene, SceneError, SceneSurface, Source,
     error::Located,
     fault::{choice, nearest},
     masked_pair::masked_pairs,
@@ -151,7 +151,8 @@ pub fn read_with(source: &Source, settings: &[(&str, f64)]) -> Result<Scene, Sce
     match groups.iter().find(|(name, _)| !has(name)) {
         Some((name, _)) if !scene.variables.is_empty() => {
             let variables: Vec<&str> = scene.variables.iter().map(|(name, _)| name.as_str()).collect();
-            refused(unknown_setting(name, &variables, &known, &source))
+            let unknown = || unknown_setting(name, &variables, &known, &source);
+            refused(HeatSetting::misplaced(name).unwrap_or_else(unknown))
         }
         _ => scene.dimmed(&groups),
     }

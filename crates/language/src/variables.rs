@@ -7,7 +7,7 @@ use std::{
 };
 
 use radiosity_scene::{
-    Fault, FaultKind, Source,
+    Fault, FaultKind, HeatSetting, Source,
     error::{Located, title},
     names::UniqueNames,
     place::{At, Span},
@@ -120,7 +120,7 @@ impl Variables {
         let Some(name) = settings.keys().find(|name| !self.values.contains_key(*name)) else {
             return Ok(self);
         };
-        Err(Located::nowhere(match self.names.is_empty() {
+        let unknown = || match self.names.is_empty() {
             true => Fault::new(
                 FaultKind::UnknownName,
                 format!("the scene has no variables, yet {name:?} is set"),
@@ -130,7 +130,8 @@ impl Variables {
                 ),
             ),
             false => self.unknown(name),
-        }))
+        };
+        Err(Located::nowhere(HeatSetting::misplaced(name).unwrap_or_else(unknown)))
     }
 
     /// Names and values in the order of the text.

@@ -56,7 +56,15 @@ pub fn missed_by_rays(factors: &ViewFactors, eps: f64) -> Option<Wording> {
         factors.names[surface],
         factors.names.len()
     );
-    Some(words(told) + option("rays") + ", or take " + set("transport", "exact") + ", which takes its time")
+    Some(
+        words(told)
+            + option("rays")
+            + ", or take "
+            + set("transport", "exact")
+            + " without "
+            + option("rays")
+            + ", which takes its time",
+    )
 }
 
 #[cfg(test)]

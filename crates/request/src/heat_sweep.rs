@@ -1,9 +1,11 @@
 //! Sweeps: balances of heat for some values of a temperature, a flux or an emissivity, by transfers found once.
 
+use std::collections::BTreeMap;
+use std::mem::replace;
 use std::str::FromStr;
 
 use radiosity_audit::HeatFault;
-use radiosity_heat::{Heat, HeatError, HeatModel};
+use radiosity_heat::{Heat, HeatError, HeatModel, SurfaceHeat};
 use radiosity_scene::{Fault, HeatSetting, Scene, SceneError};
 use radiosity_solve::Options;
 use radiosity_work::wording::Wording;
@@ -19,16 +21,36 @@ pub struct HeatSweep {
     values: Vec<f64>,
 }
 
-/// The balances of a sweep.
+/// The balances of a sweep, of which `K` is kept.
 #[derive(Debug)]
-pub struct SweptHeat {
-    /// One for each value, in their order.
-    pub balances: Vec<Heat>,
-    /// The number of the one by which transfers were found, and which alone a referee checked: the one that reflects
-    /// most.
-    pub first: usize,
+pub struct SweptHeat<K> {
+    /// The balance of the largest flows, which alone a referee checked.
+    pub largest: Heat,
+    /// The number of its value.
+    pub point: usize,
+    /// Its scene.
+    pub scene: Scene,
     /// Why no referee could read it, where none could.
     pub unchecked: Option<HeatFault>,
+    /// The others, by the numbers of their values.
+    others: BTreeMap<usize, K>,
+}
+
+/// Why a sweep has no balances.
+#[derive(Debug, thiserror::Error)]
+pub enum SweepError {
+    /// A name or a value that does not fit the scene.
+    #[error(transparent)]
+    Scene(#[from] SceneError),
+    /// A value at which there is no balance.
+    #[error(transparent)]
+    Heat(#[from] HeatError),
+}
+
+/// A balance at one of the values.
+struct SweptPoint {
+    point: usize,
+    heat: Heat,
 }
 
 impl HeatSweep {
@@ -47,47 +69,61 @@ impl HeatSweep {
         &self.values
     }
 
-    /// The scene at each value.
+    /// The balances of `scene` at all values, of which there is one at least. A referee checks the one of the largest
+    /// flows: where nothing flows, none can be seen to be off. Errors of the others grow as its errors do.
     ///
     /// # Errors
-    /// A name, a key or a value that does not fit the scene.
-    pub fn scenes(&self, scene: &Scene) -> Result<Vec<Scene>, SceneError> {
-        self.values.iter().map(|value| scene.with_heat(&self.setting, *value)).collect()
-    }
-
-    /// The balances of the scenes of the sweep.
-    ///
-    /// # Errors
-    /// As [`Heat::of`], of any of them.
-    pub fn balances(
+    /// A name, a key or a value that does not fit the scene, before the work; as [`Heat::of`], of any of them.
+    pub fn balances<K: From<Heat> + AsMut<[SurfaceHeat]>>(
         &self,
-        scenes: &[Scene],
+        scene: &Scene,
         options: &Options,
         check: &CheckRequest,
         work: &Work<'_>,
-    ) -> Result<SweptHeat, HeatError> {
-        let first = self.first();
-        let (mut model, mut checked) = HeatModel::of(&scenes[first], options, work)?;
-        let checking = || check.check_heat(&mut checked, &scenes[first], options.shadows, work);
-        let unchecked = options.in_threads(work.ranks, checking)?.err();
-        let mut balances = Vec::with_capacity(scenes.len());
-        for (point, scene) in scenes.iter().enumerate().filter(|(point, _)| *point != first) {
-            let mut balance = model.balance(scene, work)?;
-            balance.check_like(&checked);
-            balances.push(balance);
-            work.report_done(Stage::Runs, point + 1, scenes.len());
+    ) -> Result<SweptHeat<K>, SweepError> {
+        let at = |point: usize| scene.with_heat(&self.setting, self.values[point]);
+        let [least, greatest] = self.ends();
+        at(least)?;
+        at(greatest)?;
+        let first = if self.setting.is_of_emissivity() { least } else { 0 };
+        let (mut model, heat) = HeatModel::of(&at(first)?, options, work)?;
+        let mut largest = SweptPoint { point: first, heat };
+        let mut others = BTreeMap::new();
+        let count = self.values.len();
+        for (made, point) in (0..count).filter(|point| *point != first).enumerate() {
+            work.report_done(Stage::Runs, made + 1, count);
+            let own = SweptPoint { point, heat: model.balance(&at(point)?, work)? };
+            let is_larger = own.heat.flows() > largest.heat.flows();
+            let smaller = if is_larger { replace(&mut largest, own) } else { own };
+            others.insert(smaller.point, K::from(smaller.heat));
         }
-        balances.insert(first, checked);
-        Ok(SweptHeat { balances, first, unchecked })
+        work.report_done(Stage::Runs, count, count);
+        let SweptPoint { point, heat: mut largest } = largest;
+        let scene = at(point)?;
+        let checking = || check.check_heat(&mut largest, &scene, options.shadows, work);
+        let unchecked = options.in_threads(work.ranks, checking).map_err(HeatError::from)?.err();
+        others.values_mut().for_each(|own| largest.check_others(own.as_mut()));
+        Ok(SweptHeat { largest, point, scene, unchecked, others })
     }
 
-    /// The number of the value that reflects most.
-    fn first(&self) -> usize {
-        let order = |a: &(usize, &f64), b: &(usize, &f64)| a.1.total_cmp(b.1);
-        let least = self.values.iter().enumerate().min_by(order).filter(|_| self.setting.is_of_emissivity());
-        least.map_or(0, |(point, _)| point)
+    /// The numbers of the least and the greatest value: all others fit a scene where these do.
+    fn ends(&self) -> [usize; 2] {
+        let order = |a: &usize, b: &usize| self.values[*a].total_cmp(&self.values[*b]);
+        let all = || 0..self.values.len();
+        [all().min_by(order), all().max_by(order)].map(|end| end.unwrap_or(0))
     }
 }
+
+impl<K: From<Heat>> SweptHeat<K> {
+    /// All balances in the order of the values.
+    pub fn into_balances(mut self) -> Vec<K> {
+        self.others.insert(self.point, K::from(self.largest));
+        self.others.into_values().collect()
+    }
+}
+
+/// Decimal places of the least number that is not 0.
+const MOST_PLACES: f64 = 324.0;
 
 /// The setting that a text names.
 ///
@@ -113,14 +149,35 @@ impl FromStr for HeatSweep {
         let (name, range) = text.rsplit_once('=').ok_or_else(expected)?;
         let (ends, count) = range.rsplit_once('/').ok_or_else(expected)?;
         let (from, to) = ends.split_once("..").ok_or_else(expected)?;
+        if to.trim().starts_with('.') {
+            let digits = to.trim().trim_start_matches('.');
+            return Err(format!(
+                "more than two points stand there: write {from}..{digits}, or {from}..0.{digits}"
+            ));
+        }
         let number = |text: &str| text.trim().parse().ok().filter(|own: &f64| own.is_finite());
         let (Some(from), Some(to)) = (number(from), number(to)) else { return Err(expected()) };
         let count = count.trim().parse::<Points>()?.count();
-        let last = (count - 1) as f64;
-        let value = |point: usize| match point as f64 {
-            own if own == last => to,
-            own => from + (to - from) * own / last,
-        };
-        Ok(Self::new(setting(name.trim())?, (0..count).map(value).collect()))
+        Ok(Self::new(setting(name.trim())?, spread(from, to, count)))
     }
+}
+
+/// So many values from one to another, two at the least.
+fn spread(from: f64, to: f64, count: usize) -> Vec<f64> {
+    let last = (count - 1) as f64;
+    let scale = from.abs().max(to.abs());
+    let value = |point: usize| match point as f64 {
+        0.0 => from,
+        own if own == last => to,
+        own => short(from + (to - from) * own / last, scale),
+    };
+    (0..count).map(value).collect()
+}
+
+/// The decimal of 15 digits of `scale` that a number is but for its rounding, such as 0.3 for 0.30000000000000004; or
+/// the number.
+fn short(number: f64, scale: f64) -> f64 {
+    let places = (14.0 - scale.log10().floor()).clamp(0.0, MOST_PLACES) as usize;
+    let decimal = format!("{number:.places$}").parse().unwrap_or(number) + 0.0;
+    if (decimal - number).abs() <= 2.0 * f64::EPSILON * scale { decimal } else { number }
 }

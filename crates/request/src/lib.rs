@@ -30,7 +30,7 @@ pub mod cells;
 
 pub use audit::{AuditRequest, CheckRequest};
 pub use conflicts::{KEPT, check_series, require_all_light};
-pub use heat_sweep::{HeatSweep, SweptHeat};
+pub use heat_sweep::{HeatSweep, SweepError, SweptHeat};
 pub use method::MethodRequest;
 pub use modes::{Kernel, LightShadows};
 pub use reading::{ReadRequest, check_aim};

@@ -52,7 +52,8 @@ pub type Samples = WholeNumber<1, 64>;
 /// their walks take a minute at the least.
 pub type Readings = WholeNumber<2, 100_000>;
 
-/// Number of values of a sweep. Chosen: a thousand scenes of a thousand surfaces take some hundred megabytes.
+/// Number of values of a sweep. Chosen: the figures of a thousand balances of a thousand surfaces take some hundred
+/// megabytes.
 pub type Points = WholeNumber<2, 1000>;
 
 /// Seed of draws.

@@ -8,6 +8,7 @@ use crate::{
     Scene,
     error::{Located, SceneError, title},
     fault::Fault,
+    heat_setting::HeatSetting,
     light_group::LightGroup,
     ranges::check_factor,
 };
@@ -77,5 +78,7 @@ impl Scene {
 /// A light group of which nothing emits.
 fn unknown_group(name: &str, groups: &[&LightGroup]) -> Fault {
     let known = groups.iter().map(|group| group.name.clone()).collect();
-    Fault::unknown_group(format!("no light comes from a group {name:?}"), name, known, ", and solve it again")
+    let cause = format!("no light comes from a group {name:?}");
+    let unknown = || Fault::unknown_group(cause, name, known, ", and solve it again");
+    HeatSetting::misplaced(name).unwrap_or_else(unknown)
 }

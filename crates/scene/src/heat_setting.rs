@@ -3,11 +3,12 @@
 use std::fmt;
 
 use radiosity_fit::sides::front_of;
+use radiosity_work::wording::{command, words};
 
 use crate::{
     Scene,
     error::{Located, SceneError},
-    fault::Fault,
+    fault::{Fault, FaultKind},
     ranges::check_number,
     surface::SceneSurface,
     thermal::{Condition, Thermal, check_emissivity, check_temperature},
@@ -68,13 +69,25 @@ impl HeatSetting {
     /// The setting that a text names, such as `panel.emissivity`.
     ///
     /// # Errors
-    /// [`FaultKind::UnknownKey`](crate::FaultKind::UnknownKey) for another key, and where there is none.
+    /// [`FaultKind::UnknownKey`](crate::FaultKind::UnknownKey) for another key,
+    /// [`FaultKind::MissingKey`](crate::FaultKind::MissingKey) where there is none.
     pub fn named(text: &str) -> Result<Self, Fault> {
-        let (name, key) = text.rsplit_once('.').unwrap_or((text, ""));
-        let quantity = HeatQuantity::ALL.into_iter().find(|quantity| quantity.key() == key);
         let known = HeatQuantity::ALL.map(HeatQuantity::key);
+        let Some((name, key)) = text.rsplit_once('.') else {
+            let cause = format!("{text:?} has no key behind a point");
+            let cure = format!("write {text}.KEY with one of {} as KEY", known.join(", "));
+            return Err(Fault::new(FaultKind::MissingKey, cause, cure));
+        };
+        let quantity = HeatQuantity::ALL.into_iter().find(|quantity| quantity.key() == key);
         let quantity = quantity.ok_or_else(|| Fault::unknown_key(key, &known))?;
         Ok(Self { name: name.to_owned(), quantity })
+    }
+
+    /// The fault of a quantity of heat that is set where only light groups or variables are; None for other names.
+    pub fn misplaced(text: &str) -> Option<Fault> {
+        Self::named(text).ok()?;
+        let cause = format!("{text:?} is a quantity of heat, which is not set here");
+        Some(Fault::conflict(cause, words("only ") + command("heat") + " takes it"))
     }
 
     /// Whether it is the emissivity that is set, on which what is reflected depends.
@@ -149,13 +162,26 @@ impl Scene {
         })
     }
 
+    /// The fault of a name that nothing with heat has.
     fn unknown_holder(&self, name: &str) -> Fault {
+        let cause = format!("no surface and no material is called {name:?}");
+        let is_any = |is_meant: &dyn Fn(&str) -> bool| self.surfaces.iter().any(|own| is_meant(&own.name));
+        let front = front_of(name).filter(|front| is_any(&|own| own == *front));
+        if front.is_some() {
+            let cure =
+                "the back of a surface of one side is set in the file: back = \"front\" or back = … (K)";
+            return Fault::new(FaultKind::UnknownName, cause, cure);
+        }
+        let stem = format!("{name}-");
+        if is_any(&|own| own.starts_with(&stem)) {
+            let cure = format!("write \"{stem}*\" for all surfaces whose names begin with \"{stem}\"");
+            return Fault::new(FaultKind::UnknownName, cause, cure);
+        }
         let materials = self.surfaces.iter().filter_map(|surface| surface.material_name.clone());
         let mut known: Vec<String> = self.surfaces.iter().map(|surface| surface.name.clone()).collect();
         known.extend(materials);
         known.sort_unstable();
         known.dedup();
-        let cause = format!("no surface and no material is called {name:?}");
         Fault::unknown_name(cause, name, known, "surfaces and materials of this scene")
     }
 }

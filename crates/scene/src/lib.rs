@@ -7,7 +7,7 @@
 //!
 //! In order: faults with their causes, cures and places; patterns, materials, luminaires, skies; poses, paths and
 //! animations; surfaces as drafts and as fitted; the [`Source`] that a scene was read from; the builder; what
-//! is made of a scene: other factors (`group_factors`), other materials (`with_material`), other heat (`heat_setting`),
+//! is made of a scene: other heat (`heat_setting`), other factors (`group_factors`), other materials (`with_material`),
 //! another moment (`still_scene`, `frame_scenes`).
 //!
 //! Imports `core`, `geom`, `work`, `fit` and `photometry`.
@@ -55,9 +55,9 @@ mod source;
 mod fitted;
 pub mod surfaces;
 mod builder;
+mod heat_setting;
 mod group_factors;
 mod with_material;
-mod heat_setting;
 mod still_scene;
 mod frame_scenes;
 pub mod backs;

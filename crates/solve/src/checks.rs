@@ -68,7 +68,7 @@ pub struct Checks {
     /// Power that leaves the scene.
     pub energy_lost: f64,
     /// Upper estimate of the spectral radius of ρG, largest over the bands; below 1 if the quadrature is
-    /// good. 0 where columns of elements that reflect were not integrated.
+    /// good. 0 where columns of elements that reflect were not integrated, and where nobody looked for it.
     pub spectral_bound: f64,
     /// Largest jump of B across the seams inside a surface, relative to the larger of the two values.
     pub seam_jump_max: f64,
@@ -82,15 +82,15 @@ impl Checks {
         let bands = solution.bands().iter().enumerate();
         let light: Vec<BandLight<'_>> = bands.map(|(index, band)| lit(band, points.flux(index))).collect();
         let powers = Balance::of(solution.elements(), blocks).powers(&light, entry);
-        Self::with_powers(solution, blocks, powers, ranks)
+        Self::with_powers(solution, blocks, powers, largest_bound(solution, blocks, ranks))
     }
 
-    /// The checks of a solution computed with `blocks`, whose balance of power is known.
+    /// The checks of a solution computed with `blocks`, whose balance of power and spectral bound are known.
     pub(crate) fn with_powers(
         solution: &Solution,
         blocks: &dyn Carrier,
         powers: Powers,
-        ranks: &Ranks,
+        spectral_bound: f64,
     ) -> Self {
         let list = solution.elements().list();
         let ones = solution.elements().constant();
@@ -100,8 +100,6 @@ impl Checks {
         let counts = |i: &usize| blocks.is_complete(*i) && list[*i].contact.is_none();
         let complete: Vec<usize> = (0..list.len()).filter(counts).collect();
         let sums = row_sums(list, &complete, blocks.starts(), &transported);
-        let bound = |band: &Band, _: &Ranks| spectral_bound(blocks, &band.coating, &ones);
-        let bounds = ranks.each(solution.bands(), bound);
         Self {
             closure_max: closure(&complete, blocks.starts(), &ones, &open),
             row_sum_min: sums.iter().copied().reduce(f64::min).unwrap_or(0.0),
@@ -109,7 +107,7 @@ impl Checks {
             energy_in: powers.emitted,
             energy_absorbed: powers.absorbed,
             energy_lost: powers.lost,
-            spectral_bound: bounds.into_iter().fold(0.0, f64::max),
+            spectral_bound,
             seam_jump_max: seam_jump(solution),
         }
     }
@@ -147,6 +145,13 @@ fn closure(which: &[usize], starts: &[usize], ones: &[f64], open: &[f64]) -> f64
 fn row_sums(list: &[Element], which: &[usize], starts: &[usize], transported: &[f64]) -> Vec<f64> {
     let sum = |i: &usize| dot(&list[*i].constant, &transported[starts[*i]..starts[i + 1]]) / list[*i].area;
     which.iter().map(sum).collect()
+}
+
+/// [`Checks::spectral_bound`] of a solution computed with `blocks`, which takes up to some dozen products with them.
+pub(crate) fn largest_bound(solution: &Solution, blocks: &dyn Carrier, ranks: &Ranks) -> f64 {
+    let ones = solution.elements().constant();
+    let bound = |band: &Band, _: &Ranks| spectral_bound(blocks, &band.coating, &ones);
+    ranks.each(solution.bands(), bound).into_iter().fold(0.0, f64::max)
 }
 
 /// λ + ‖A v − λ v‖ after at most [`MOST_STEPS`] power iterations with A = S^½ G S^½ from the constant: an

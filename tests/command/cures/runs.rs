@@ -59,7 +59,10 @@ pub(super) const ROWS: &[Typed] = &[
     Typed {
         bad: "view-factors room.toml --transport sampled --rays 2000",
         cured: "view-factors room.toml --transport exact",
-        told: &["rays leave errors of up to", "or take --transport exact, which takes its time"],
+        told: &[
+            "rays leave errors of up to",
+            "or take --transport exact without --rays, which takes its time",
+        ],
     },
     Typed {
         bad: "solve room.toml --transport sampled --rays 1 --audit 0.001",

@@ -1,11 +1,14 @@
 //! Transfers that are kept: balances of other temperatures, fluxes and emissivities are those of the scenes alone.
 
+use std::sync::Mutex;
+
 use radiosity::Work;
 use radiosity::audit::Effort;
 use radiosity::heat::{Heat, HeatError, HeatModel, HeatOptions, SurfaceHeat};
-use radiosity::request::HeatSweep;
+use radiosity::request::{CheckRequest, HeatSweep, SweptHeat};
 use radiosity::scene::{FaultKind, HeatSetting, Scene};
 use radiosity::solve::{Failure, Options};
+use radiosity::work::{Progress, Stage};
 use radiosity_test_support::compare::assert_close;
 use radiosity_test_support::scenes::{builtin, typed};
 
@@ -85,6 +88,10 @@ fn a_kept_oven_tells_what_it_tells_alone_with_the_same_errors() {
         let alone = Heat::of(&scene, &options, &Work::alone()).unwrap_or_else(|error| panic!("{error}"));
         let found = balance(&mut model, &scene);
         assert!(alone.is_cut && found.is_cut);
+        assert_eq!(
+            found.outcome.checks.spectral_bound, 0.0,
+            "it is not told of heat, and takes longer than all else"
+        );
         let largest = alone.surfaces.iter().map(|own| own.flow.abs()).fold(0.0, f64::max);
         for (own, other) in found.surfaces.iter().zip(&alone.surfaces) {
             for (figure, expected) in figures(own).into_iter().zip(figures(other)) {
@@ -96,22 +103,22 @@ fn a_kept_oven_tells_what_it_tells_alone_with_the_same_errors() {
 }
 
 /// Plates a fiftieth of their size apart, of which even fluxes tell nearly a tenth too much.
+const PLATES: &str = r#"
+    materials.body = { emissivity = 0.8, temperature = 293.15 }
+    materials.foil = { emissivity = 0.05, temperature = 143 }
+    [[surfaces]]
+    name = "body"
+    material = "body"
+    quad = { vertices = [[0,0,0],[1,0,0],[1,1,0],[0,1,0]] }
+    [[surfaces]]
+    name = "foil"
+    material = "foil"
+    quad = { vertices = [[0,0,0.02],[0,1,0.02],[1,1,0.02],[1,0,0.02]] }
+"#;
+
 #[test]
 fn a_check_of_one_balance_makes_the_errors_of_others_as_many_times_larger() {
-    let plates = typed(
-        r#"
-        materials.body = { emissivity = 0.8, temperature = 293.15 }
-        materials.foil = { emissivity = 0.05, temperature = 143 }
-        [[surfaces]]
-        name = "body"
-        material = "body"
-        quad = { vertices = [[0,0,0],[1,0,0],[1,1,0],[0,1,0]] }
-        [[surfaces]]
-        name = "foil"
-        material = "foil"
-        quad = { vertices = [[0,0,0.02],[0,1,0.02],[1,1,0.02],[1,0,0.02]] }
-        "#,
-    );
+    let plates = typed(PLATES);
     let options = Options { order: 0, ..HeatOptions::default().options };
     let (mut model, mut first) =
         HeatModel::of(&plates, &options, &Work::alone()).unwrap_or_else(|error| panic!("{error}"));
@@ -121,7 +128,7 @@ fn a_check_of_one_balance_makes_the_errors_of_others_as_many_times_larger() {
     first.check(&plates, &surfaces, &effort, &Work::alone()).unwrap_or_else(|fault| panic!("{fault}"));
     let hotter = with(&plates, "body.temperature", 350.0);
     let [plain, mut found] = [0, 1].map(|_| balance(&mut model, &hotter));
-    found.check_like(&first);
+    first.check_others(&mut found.surfaces);
     let mut has_grown = false;
     for (surface, own) in found.surfaces.iter().enumerate() {
         let growth = first.surfaces[surface].flow_error / before[surface].flow_error;
@@ -131,19 +138,75 @@ fn a_check_of_one_balance_makes_the_errors_of_others_as_many_times_larger() {
     assert!(has_grown, "even fluxes are off by more than they tell: {:?}", first.checked);
 }
 
+/// Where all has one temperature nothing flows, and no error can be seen; elsewhere in the sweep even fluxes of the
+/// plates are nearly a tenth too large.
+#[test]
+fn a_sweep_is_checked_where_most_flows() {
+    let plates = typed(PLATES);
+    let options = Options { order: 0, ..HeatOptions::default().options };
+    let check = CheckRequest { audit: "0.5".parse().ok() };
+    for (text, expected) in [
+        ("foil.temperature=293.15..143/3", 2),
+        ("body.temperature=143..293.15/2", 1),
+        ("body.emissivity=1e-6..0.8/2", 1),
+    ] {
+        let sweep: HeatSweep = text.parse().expect(text);
+        let last = Mutex::new([0; 2]);
+        let observe = |progress| {
+            if let Progress::Done { stage: Stage::Runs, done, of } = progress {
+                *last.lock().expect("nobody panics") = [done, of];
+            }
+        };
+        let swept: SweptHeat<Heat> = sweep
+            .balances(&plates, &options, &check, &Work::alone().observed_by(&observe))
+            .unwrap_or_else(|error| panic!("{error}"));
+        assert_eq!(
+            *last.lock().expect("nobody panicked"),
+            [sweep.values().len(); 2],
+            "all are made in the end"
+        );
+        assert_eq!(swept.point, expected, "{text}");
+        let checked = swept.largest.checked.as_ref().expect("it was checked");
+        assert!(checked.finds_more(), "{text}: {checked}");
+        let balances = swept.into_balances();
+        assert_eq!(balances.len(), sweep.values().len());
+        for (point, own) in balances.iter().enumerate() {
+            assert_eq!(own.checked.is_some(), point == expected, "{text}: one alone is checked");
+        }
+    }
+}
+
 /// The ends of a range are values of a sweep.
 #[test]
 fn sweeps_are_read_or_told_with_what_is_expected() {
     let sweep: HeatSweep = "a.b.emissivity=0.9..0.3/3".parse().expect("it is a sweep");
     assert_eq!(sweep.setting().to_string(), "a.b.emissivity");
     assert_eq!((sweep.values()[0], sweep.values()[2]), (0.9, 0.3));
-    assert_close(sweep.values()[1], 0.6, 1e-15);
+    assert_eq!(sweep.values()[1], 0.6);
     let sweep: HeatSweep = "a.temperature=-1e2..3e2/2".parse().expect("it is a sweep");
     assert_eq!(sweep.values(), [-100.0, 300.0]);
     for text in ["a", "a.emissivity", "a.emissivity=1..2", "a.emissivity=1/3", "a.emissivity=x..2/3"] {
         let told = text.parse::<HeatSweep>().expect_err(text);
         assert!(told.contains("panel.emissivity=0.1..0.9/17"), "{told}");
     }
+    for (text, expected) in [
+        ("a.emissivity=0.1..0.9/5", vec![0.1, 0.3, 0.5, 0.7, 0.9]),
+        ("a.heat_flux=-1..1/6", vec![-1.0, -0.6, -0.2, 0.2, 0.6, 1.0]),
+        ("a.temperature=300..1400/4", vec![300.0, 300.0 + 1100.0 / 3.0, 300.0 + 2200.0 / 3.0, 1400.0]),
+        ("a.emissivity=1e-6..0.9/3", vec![1e-6, 0.4500005, 0.9]),
+        ("a.heat_flux=0..0/3", vec![0.0; 3]),
+    ] {
+        let sweep: HeatSweep = text.parse().expect(text);
+        for (own, other) in sweep.values().iter().zip(&expected) {
+            assert!((own - other).abs() <= f64::EPSILON * other.abs(), "{own} of {text}");
+            assert!(own.to_string().len() > 15 || own == other, "{own} of {text}");
+        }
+        assert!(!text.contains("emissivity") || sweep.values() == expected, "{:?}", sweep.values());
+    }
+    let told = "a.temperature=300...500/2".parse::<HeatSweep>().expect_err("three points");
+    assert!(told.contains("300..500") && told.contains("300..0.500"), "{told}");
+    let told = "up=0.1..0.2/3".parse::<HeatSweep>().expect_err("there is no key");
+    assert!(told.contains("up.KEY") && told.contains("emissivity"), "{told}");
     let told = "a.emissivity=0..1/1".parse::<HeatSweep>().expect_err("one point is no sweep");
     assert!(told.contains("from 2 to"), "{told}");
     let told = "a.emisivity=0..1/9".parse::<HeatSweep>().expect_err("the key is misspelt");
@@ -155,6 +218,7 @@ fn what_does_not_fit_the_scene_is_refused_with_a_cure() {
     let fault = |text: &str| HeatSetting::named(text).expect_err("it is no setting");
     assert_eq!(fault("brick.reflectance").kind, FaultKind::UnknownKey);
     assert!(fault("brick").cure().is_some_and(|cure| cure.contains("temperature, heat_flux, emissivity")));
+    assert_eq!(fault("brick").kind, FaultKind::MissingKey);
     let cube = typed(CUBE);
     let refused = |setting: &str, value: f64| {
         let setting = HeatSetting::named(setting).unwrap_or_else(|fault| panic!("{fault}"));
@@ -162,6 +226,9 @@ fn what_does_not_fit_the_scene_is_refused_with_a_cure() {
     };
     let unknown = refused("flor.temperature", 300.0);
     assert!(unknown.cure().is_some_and(|cure| cure.contains("did you mean \"floor\"?")), "{unknown}");
+    assert!(
+        refused("floor:back.temperature", 300.0).cure().is_some_and(|cure| cure.contains("back = … (K)"))
+    );
     assert!(refused("floor.temperature", -20.0).cure().is_some_and(|cure| cure.contains("273.15")));
     assert_eq!(refused("brick.emissivity", 0.0).fault.kind, FaultKind::OutOfRange);
     let shared = typed(&CUBE.replace("name = \"floor\"", "name = \"brick\""));

@@ -3,6 +3,7 @@
 use std::path::Path;
 use std::time::Instant;
 
+use radiosity_heat::ToldHeat;
 use radiosity_output::documents::heat as output;
 use radiosity_request::{HeatSweep, SweptHeat};
 use radiosity_scene::Scene;
@@ -10,57 +11,58 @@ use radiosity_solve::Options;
 use radiosity_work::ranks::Ranks;
 use radiosity_work::{Observer, Work};
 
-use super::{Format, HeatArgs, findings, shown};
-use crate::{destination::Destination, error::CliError, format, progress::Progress};
+use super::{Format, HeatArgs, findings, judge, shown};
+use crate::format::{self, Format as SweptFormat};
+use crate::{destination::Destination, error::CliError, progress::Progress};
 
-/// Computes the balances of a sweep and writes them; the first scene is as its file says it.
+/// Computes the balances of a sweep of `scene` and writes them; `read` is the scene as its file says it.
 pub(super) fn run(
     sweep: &HeatSweep,
     args: &HeatArgs,
     options: &Options,
     start: Instant,
-    [read, scene]: [&Scene; 2],
+    read: &Scene,
+    scene: &Scene,
     ranks: &Ranks,
 ) -> Result<(), CliError> {
     let output = args.output.as_deref();
-    let format = format::chosen(args.format, output, Format::Csv)?;
-    if format == Format::Text {
-        return Err(CliError::refused(
-            "--format text has no place for a sweep",
-            "take --format csv or json, or leave it out",
-        ));
-    }
+    let asked = args.format.map(of_sweep).transpose()?;
+    let format = format::chosen(asked, output, SweptFormat::Csv)?;
     let reserve = |path: &Path| args.scene.reserve(path, ranks);
     let figures = Destination::of(output.map(reserve).transpose()?, ranks);
-    let scenes = sweep.scenes(scene)?;
     let progress = Progress::new(args.transfers.quiet, start, ranks);
     let show = |event| shown(event).into_iter().for_each(|event| progress.report(event));
     let work = Work::among(ranks).observed_by(&show);
-    let swept = sweep.balances(&scenes, options, &args.transfers.check, &work)?;
+    let swept: SweptHeat<ToldHeat> = sweep.balances(scene, options, &args.transfers.check, &work)?;
     progress.begin_output();
     let (setting, values) = (sweep.setting().to_string(), sweep.values());
+    let (surfaces, told_value) = (swept.largest.surfaces.len(), values[swept.point]);
+    let findings = findings(&swept.scene, &swept.largest, swept.unchecked.as_ref());
+    let judged = judge(args, &swept.largest);
+    let balances = swept.into_balances();
     figures.write(|writer| match format {
-        Format::Json => output::swept_json(&setting, values, &swept.balances, writer),
-        Format::Csv | Format::Text => output::swept_csv(&setting, values, &swept.balances, writer),
+        SweptFormat::Json => output::swept_json(&setting, values, &balances, writer),
+        SweptFormat::Csv => output::swept_csv(&setting, values, &balances, writer),
     })?;
     progress.clear();
-    let SweptHeat { balances, first, unchecked } = &swept;
-    let found = &balances[*first];
+    let elapsed = start.elapsed().as_secs_f64();
     let told = vec![
-        format!(
-            "{}: {} surfaces, {} values of {setting}, {:.3} s",
-            read.name,
-            found.surfaces.len(),
-            values.len(),
-            start.elapsed().as_secs_f64()
-        ),
+        format!("{}: {surfaces} surfaces, {} values of {setting}, {elapsed:.3} s", read.name, values.len()),
         progress.stages(),
-        format!("transfers are those of {setting} = {}, of which the following is told", values[*first]),
+        format!("the flows are largest at {setting} = {told_value}, of which the following is told"),
     ];
-    let findings = findings(&scenes[*first], found, unchecked.as_ref());
     args.transfers.tell(told, read, findings, &args.output, ranks);
-    match found.checked.as_ref().filter(|checked| args.scene.strict && checked.finds_more()) {
-        Some(checked) => Err(CliError::FoundMore { what: "the heat is", told: checked.own_error }),
-        None => Ok(()),
+    judged
+}
+
+/// The format of figures of a sweep.
+fn of_sweep(asked: Format) -> Result<SweptFormat, CliError> {
+    match asked {
+        Format::Csv => Ok(SweptFormat::Csv),
+        Format::Json => Ok(SweptFormat::Json),
+        Format::Text => Err(CliError::refused(
+            "--format text has no place for a sweep",
+            "take --format csv or json, or leave it out",
+        )),
     }
 }

@@ -2,8 +2,7 @@
 
 use std::io::{self, Write};
 
-use radiosity_audit::Checked;
-use radiosity_heat::{Conductances, Heat, SurfaceHeat};
+use radiosity_heat::{Conductances, Heat, SurfaceHeat, ToldHeat};
 use serde::Serialize;
 
 use crate::files::npy;
@@ -26,15 +25,15 @@ pub fn csv(surfaces: &[SurfaceHeat], out: impl Write) -> io::Result<()> {
 ///
 /// # Errors
 /// Errors of writing to `out`.
-pub fn swept_csv(swept: &str, values: &[f64], balances: &[Heat], out: impl Write) -> io::Result<()> {
+pub fn swept_csv(swept: &str, values: &[f64], balances: &[ToldHeat], out: impl Write) -> io::Result<()> {
     let columns: Vec<Column> = [swept].into_iter().chain(FIGURES).map(Column::text).collect();
     let points = values.iter().zip(balances);
     Table::new(columns, points.flat_map(|(value, heat)| rows_at(*value, heat))).listed().csv(out)
 }
 
 /// The rows of a balance behind a value.
-fn rows_at(value: f64, heat: &Heat) -> impl Iterator<Item = Vec<Value<'_>>> {
-    heat.surfaces.iter().map(move |own| [Value::from(value)].into_iter().chain(row(own)).collect())
+fn rows_at(value: f64, heat: &ToldHeat) -> impl Iterator<Item = Vec<Value<'_>>> {
+    heat.surfaces().iter().map(move |own| [Value::from(value)].into_iter().chain(row(own)).collect())
 }
 
 /// The figures of a surface.
@@ -83,7 +82,7 @@ pub fn table(surfaces: &[SurfaceHeat], digits: usize) -> Table<'static> {
 /// # Errors
 /// Errors of writing to `out`.
 pub fn json(heat: &Heat, mut out: impl Write) -> io::Result<()> {
-    serde_json::to_writer_pretty(&mut out, &Document::of(heat))?;
+    serde_json::to_writer_pretty(&mut out, &ToldHeat::from(heat))?;
     writeln!(out)
 }
 
@@ -92,9 +91,9 @@ pub fn json(heat: &Heat, mut out: impl Write) -> io::Result<()> {
 ///
 /// # Errors
 /// Errors of writing to `out`.
-pub fn swept_json(swept: &str, values: &[f64], balances: &[Heat], mut out: impl Write) -> io::Result<()> {
-    let point = |(value, heat): (&f64, _)| SweptPoint { value: *value, balance: Document::of(heat) };
-    let points = values.iter().zip(balances).map(point).collect();
+pub fn swept_json(swept: &str, values: &[f64], balances: &[ToldHeat], mut out: impl Write) -> io::Result<()> {
+    let points = values.iter().zip(balances);
+    let points = points.map(|(value, balance)| SweptPoint { value: *value, balance }).collect();
     serde_json::to_writer_pretty(&mut out, &SweptPoints { swept, points })?;
     writeln!(out)
 }
@@ -109,35 +108,7 @@ struct SweptPoints<'a> {
 struct SweptPoint<'a> {
     value: f64,
     #[serde(flatten)]
-    balance: Document<'a>,
-}
-
-#[derive(Serialize)]
-struct Document<'a> {
-    surfaces: &'a [SurfaceHeat],
-    lost: f64,
-    residual: f64,
-    solver: &'a str,
-    iterations: usize,
-    closure_max: f64,
-    accuracy_reached: f64,
-    #[serde(flatten)]
-    checked: Option<&'a Checked>,
-}
-
-impl<'a> Document<'a> {
-    fn of(heat: &'a Heat) -> Self {
-        Self {
-            surfaces: &heat.surfaces,
-            lost: heat.lost,
-            residual: heat.outcome.residual,
-            solver: heat.outcome.solver,
-            iterations: heat.outcome.iterations,
-            closure_max: heat.outcome.checks.closure_max,
-            accuracy_reached: heat.outcome.accuracy_reached,
-            checked: heat.checked.as_ref(),
-        }
-    }
+    balance: &'a ToldHeat,
 }
 
 /// CSV with the names as header and as first column; the last column is the conductance to the surroundings.

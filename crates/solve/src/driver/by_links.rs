@@ -24,7 +24,7 @@ use super::options::Options;
 use super::outcome::{Outcome, Stages, timed};
 use super::solve_band::SolveCost;
 use super::transport_choice::TransportChoice;
-use crate::checks::{Balance, Checks};
+use crate::checks::{Balance, Checks, largest_bound};
 use crate::solution::Solution;
 use crate::solution::group_light::GroupLight;
 use crate::system::Coefficients;
@@ -55,7 +55,8 @@ fn by_links(scene: &Scene, options: &Options, work: &Work<'_>) -> Result<Outcome
     let (groups, costs) = timed(&mut seconds.solve, || work.during(Stage::Solve, || run.groups()))?;
     let solution = Solution::of_groups(Arc::clone(&elements), scene, groups);
     let powers = solution.powers().unwrap_or_default();
-    let check = || Checks::with_powers(&solution, &links, powers, work.ranks);
+    let bound = || largest_bound(&solution, &links, work.ranks);
+    let check = || Checks::with_powers(&solution, &links, powers, bound());
     let checks = work.during(Stage::Checks, check);
     let slowest = costs.into_iter().max_by_key(|effort| effort.iterations);
     let (solver, iterations) =

@@ -22,7 +22,7 @@ use radiosity_visibility::Visibility;
 use radiosity_work::ranks::Ranks;
 use radiosity_work::{Stage, Work};
 
-use crate::checks::{Balance, Checks};
+use crate::checks::{Balance, Checks, largest_bound};
 use crate::solution::Solution;
 use crate::solution::group_light::GroupLight;
 use crate::system::Coefficients;
@@ -77,6 +77,8 @@ pub struct Model {
     ready: Ready,
     blocks: Blocks,
     sampling: Option<Sampling>,
+    /// Whether self-checks bound the spectral radius.
+    is_bounded: bool,
 }
 
 /// The emissions of a scene with their first light.
@@ -182,7 +184,7 @@ impl Model {
         let found = || known.unwrap_or_else(|| carried(scene, &subject, *rays, kept));
         let (blocks, sampling) = timed(&mut took, || work.during(Stage::Blocks, found));
         ready.seconds.blocks = took;
-        Self { ready, blocks, sampling }
+        Self { ready, blocks, sampling, is_bounded: true }
     }
 
     /// Solves `scene` as `plan` says; where the solver shoots, a column of the matrix is integrated when it
@@ -219,7 +221,7 @@ impl Model {
         ready.seconds.solve = (before + took).saturating_sub(integrated);
         let seconds = ready.seconds;
         let scene = ready.scene.clone();
-        let model = Self { ready, blocks, sampling: None };
+        let model = Self { ready, blocks, sampling: None, is_bounded: true };
         let light = SolvedLight::shot(light, shot);
         Ok(model.outcome(&scene, Entered { emissions, first }, light, seconds, work))
     }
@@ -247,6 +249,12 @@ impl Model {
         self.ready.options.tolerance = tolerance;
     }
 
+    /// The model, whose self-checks bound no spectral radius from now on: it takes longer than many a solution.
+    #[must_use]
+    pub fn without_spectral_bound(self) -> Self {
+        Self { is_bounded: false, ..self }
+    }
+
     /// The elements of the model's surfaces.
     pub fn elements(&self) -> &Elements {
         &self.ready.elements
@@ -265,7 +273,7 @@ impl Model {
     /// The visibility between the surfaces, when nothing else of the model is needed any more but what `kept`
     /// keeps for the next scene.
     pub(crate) fn into_visibility(self, kept: Option<&mut KeptModel>) -> Visibility {
-        let Self { ready: Ready { visibility, scene, .. }, blocks, sampling } = self;
+        let Self { ready: Ready { visibility, scene, .. }, blocks, sampling, .. } = self;
         if let Some(kept) = kept {
             kept.keep(WholeBlocks { senders: senders(&scene), blocks, sampling });
         }
@@ -452,7 +460,8 @@ impl Model {
         let solution = self.solution_of(scene, entered, light, before);
         let powers = solution.powers().unwrap_or_default();
         let residual = solution.residual();
-        let checks = Checks::with_powers(&solution, &self.blocks, powers, ranks);
+        let bound = if self.is_bounded { largest_bound(&solution, &self.blocks, ranks) } else { 0.0 };
+        let checks = Checks::with_powers(&solution, &self.blocks, powers, bound);
         let statistics = &self.blocks.statistics;
         Outcome {
             solution,

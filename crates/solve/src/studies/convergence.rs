@@ -171,12 +171,14 @@ pub fn convergence(
     let mut before = 0.0;
     for (planned, cost) in plan.iter().zip(costs) {
         let furthest = AtomicUsize::new(0);
-        let observe = |progress| {
-            if let Progress::Done { stage: Stage::Blocks, done, of } = progress {
+        let observe = |progress| match progress {
+            Progress::Done { stage: Stage::Blocks, done, of } => {
                 let done = furthest.fetch_max(done, Ordering::Relaxed).max(done);
                 let part = (before + cost * (done as f64 / of.max(1) as f64).min(1.0)) / all;
                 work.report_done(Stage::Runs, (PARTS as f64 * part) as usize, PARTS);
             }
+            Progress::Began { .. } | Progress::Ended { .. } => work.report(progress),
+            _ => {}
         };
         made.push(planned.solve(scene, &work.observed_by(&observe))?);
         before += cost;

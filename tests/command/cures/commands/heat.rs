@@ -42,6 +42,50 @@ pub(super) const ROWS: &[Typed] = &[
         told: &["--format text has no place for a sweep", "help: take --format csv or json"],
     },
     Typed {
+        bad: "heat cool.toml --sweep floor.temperature=300..310/2 -o f.txt",
+        cured: "heat cool.toml --sweep floor.temperature=300..310/2 -o f.csv",
+        told: &[
+            "f.txt: the ending names no format",
+            "help: end the name in .csv or .json, or add --format csv or json",
+        ],
+    },
+    Typed {
+        bad: "heat cool.toml --sweep floor=300..310/2",
+        cured: "heat cool.toml --sweep floor.temperature=300..310/2",
+        told: &[
+            "\"floor\" has no key",
+            "write floor.KEY with one of temperature, heat_flux, emissivity as KEY",
+        ],
+    },
+    Typed {
+        bad: "heat cool.toml --sweep floor.temperature=300...310/2",
+        cured: "heat cool.toml --sweep floor.temperature=300..310/2",
+        told: &["more than two points stand there", "write 300..310, or 300..0.310"],
+    },
+    Typed {
+        bad: "heat cool.toml --set floor:back.temperature=310",
+        cured: "heat cool.toml --set floor.temperature=310",
+        told: &[
+            "no surface and no material is called \"floor:back\"",
+            "help: the back of a surface of one side is set in the file: back = \"front\" or back = … (K)",
+        ],
+    },
+    Typed {
+        bad: "heat oven --set wall.emissivity=0.5",
+        cured: "heat oven --set wall-*.emissivity=0.5",
+        told: &["no surface and no material is called \"wall\"", "help: write \"wall-*\""],
+    },
+    Typed {
+        bad: "solve oven --set panel.emissivity=0.5",
+        cured: "heat oven --set panel.emissivity=0.5",
+        told: &["\"panel.emissivity\" is a quantity of heat", "help: only `radiosity heat` takes it"],
+    },
+    Typed {
+        bad: "view-factors cool.toml --set floor.emissivity=0.5",
+        cured: "heat cool.toml --set floor.emissivity=0.5",
+        told: &["\"floor.emissivity\" is a quantity of heat", "help: only `radiosity heat` takes it"],
+    },
+    Typed {
         bad: "heat cool.toml --set flor.temperature=310",
         cured: "heat cool.toml --set floor.temperature=310",
         told: &["no surface and no material is called \"flor\"", "help: did you mean \"floor\"?"],
