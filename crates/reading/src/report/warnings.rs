@@ -143,9 +143,6 @@ fn cure_of_power(options: &Options, outcome: &Outcome) -> Wording {
                     words("give rays more time with ") + option("time-limit")
                 }
                 (_, Some(_)) => words("send more ") + option("rays"),
-                (_, None) if outcome.links.is_some() => {
-                    words("lower ") + option("eps") + ", or send more " + option("link-rays")
-                }
                 (_, None) => words("lower ") + option("eps"),
             };
             words(
