@@ -69,8 +69,8 @@ impl HeatSetting {
     /// The setting that a text names, such as `panel.emissivity`.
     ///
     /// # Errors
-    /// [`FaultKind::UnknownKey`](crate::FaultKind::UnknownKey) for another key,
-    /// [`FaultKind::MissingKey`](crate::FaultKind::MissingKey) where there is none.
+    /// [`FaultKind::UnknownKey`] for another key,
+    /// [`FaultKind::MissingKey`] where there is none.
     pub fn named(text: &str) -> Result<Self, Fault> {
         let known = HeatQuantity::ALL.map(HeatQuantity::key);
         let Some((name, key)) = text.rsplit_once('.') else {
@@ -114,8 +114,8 @@ impl Scene {
     /// Copy of the scene with a quantity of heat at this value. The copy has no `source`.
     ///
     /// # Errors
-    /// [`FaultKind::UnknownName`](crate::FaultKind::UnknownName), which lists the surfaces and materials; a number out
-    /// of range; [`FaultKind::Conflict`](crate::FaultKind::Conflict) where a surface and a material of others have that
+    /// [`FaultKind::UnknownName`], which lists the surfaces and materials; a number out
+    /// of range; [`FaultKind::Conflict`] where a surface and a material of others have that
     /// name.
     pub fn with_heat(&self, setting: &HeatSetting, value: f64) -> Result<Self, SceneError> {
         let refused = |fault| {
