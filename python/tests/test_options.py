@@ -13,7 +13,7 @@ from radiosity import options
 RENAMED = {"for": "aim", "from": "format"}
 
 # Results are arrays here: how they are written, shown and told is Python's own; `set` is an argument of `load`. Only the command records
-# what it does, and reads files outside the folder of a scene.
+# what it does, and reads files outside the folder of a scene. A sweep is `Scene.heat_sweep`.
 OUTPUT = {"help", "version", "output", "format", "report", "quiet", "verbose", "set", "checkpoint", "resume", "inside"}
 STYLE = {"show", "size", "range", "band", "log", "isolines"}
 
@@ -29,7 +29,7 @@ CASES = {
         {"importance", "preview", "eye", "target", "view_up", "fov", "exposure", "false_colour", "difference", "wireframe", *STYLE - {"show", "size"}},
     ),
     "audit": (LIGHT - {"keep_partial", "audit"} | set(options.Auditing.__annotations__), {"picture", "size", "of"}),
-    "heat": (SCENE | set(options.HeatMethod.__annotations__), {"picture", *STYLE}),
+    "heat": (SCENE | set(options.HeatMethod.__annotations__), {"picture", "sweep", *STYLE}),
     "view-factors": (SCENE | set(options.Transfers.__annotations__) | {"pairs", "sparse"}, set()),
 }
 
