@@ -394,7 +394,7 @@ fn broken_files_are_refused() {
     );
     refused(
         &change(r#""count": 8"#, r#""count": 7"#),
-        ":7: a triangle has the vertex 7; 7 are listed, from 0 on",
+        ":7: a triangle has a vertex beyond the 7 that are listed",
         "index",
     );
     refused(
@@ -474,7 +474,7 @@ fn broken_bits_are_refused() {
     refused(
         &change(last, 8),
         &format!(
-            "byte {}: a triangle has the vertex 8; 8 are listed, from 0 on",
+            "byte {}: a triangle has a vertex beyond the 8 that are listed",
             20 + text_of("", "{\"mesh\": 0}").find("{\"attr").unwrap()
         ),
         "index",
