@@ -4,6 +4,7 @@ use std::fs;
 use std::path::Path;
 
 use radiosity_test_support::data::number;
+use radiosity_test_support::scenes::NEAR_PLATES;
 use serde_json::Value;
 
 use crate::program::{done, radiosity, refused};
@@ -212,25 +213,10 @@ fn a_sweep_from_rest_is_checked_where_heat_flows() {
     }
 }
 
-/// Unit plates 2 cm apart, of which even fluxes tell nearly a tenth too much: `body` sends out 44.34 W (Monte Carlo of
-/// another program, ± 0.08), order 0 finds 48.38.
-const PLATES: &str = r#"
-    materials.body = { emissivity = 0.8, temperature = 293.15 }
-    materials.foil = { emissivity = 0.05, temperature = 143 }
-    [[surfaces]]
-    name = "body"
-    material = "body"
-    quad = { vertices = [[0,0,0],[1,0,0],[1,1,0],[0,1,0]] }
-    [[surfaces]]
-    name = "foil"
-    material = "foil"
-    quad = { vertices = [[0,0,0.02],[0,1,0.02],[1,1,0.02],[1,0,0.02]] }
-"#;
-
 #[test]
 fn what_path_tracing_finds_is_told() {
     let folder = tempfile::tempdir().unwrap();
-    fs::write(folder.path().join("plates.toml"), PLATES).unwrap();
+    fs::write(folder.path().join("plates.toml"), NEAR_PLATES).unwrap();
     for order in ["0", "1", "3"] {
         let [_, told] = heat(folder.path(), &["plates.toml", "--order", order, "-o", "plates.json"]);
         assert!(told.contains("checked at 2 surfaces by path tracing: off by"), "{told}");

@@ -310,23 +310,20 @@ impl Source {
     /// The place where `span` starts; none in a tree. A span over several lines is cut at the end of its
     /// first.
     pub fn place(&self, span: &Span) -> Option<Place> {
-        match (self.included_at(span.start), &self.content) {
+        let place = match (self.included_at(span.start), &self.content) {
             (Some(own), _) => {
                 let span = span.start - own.base..span.end.saturating_sub(own.base);
-                let place = own.index.place(&own.origin, &own.text, &span);
-                // Messages show nothing of what stands outside the folder.
-                Some(if self.outside.contains(&*own.origin) {
-                    Place { text: String::new(), ..place }
-                } else {
-                    place
-                })
+                own.index.place(&own.origin, &own.text, &span)
             }
-            (None, Content::Text(text, lines)) => {
-                let place = lines.place(&self.origin, text, span);
-                Some(if self.is_joined() { Place { text: String::new(), ..place } } else { place })
-            }
-            (None, Content::Tree(_)) => None,
-        }
+            (None, Content::Text(text, lines)) => lines.place(&self.origin, text, span),
+            (None, Content::Tree(_)) => return None,
+        };
+        Some(if self.is_hidden(span.start) { Place { text: String::new(), ..place } } else { place })
+    }
+
+    /// Whether messages show nothing of what stands at `index`: it is of a file outside the folder, or may be.
+    fn is_hidden(&self, index: usize) -> bool {
+        self.is_outside(index) || self.is_joined()
     }
 
     /// Title in messages of the value at `span` of the part `owner`: the part, and in a tree the path of
@@ -346,8 +343,7 @@ impl Located {
     /// The error with its place looked up in `source`.
     pub fn in_source(self, source: &Source) -> SceneError {
         let Located { fault, span, owner } = match &self.span {
-            Some(span) if source.is_outside(span.start) => self.discreet(),
-            Some(_) if source.is_joined() => self.discreet(),
+            Some(span) if source.is_hidden(span.start) => self.discreet(),
             _ => Located { fault: source.listing(self.fault), ..self },
         };
         let (place, owner) = match span {

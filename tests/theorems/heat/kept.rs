@@ -10,7 +10,7 @@ use radiosity::scene::{FaultKind, HeatSetting, Scene};
 use radiosity::solve::{Failure, Options};
 use radiosity::work::{Progress, Stage};
 use radiosity_test_support::compare::assert_close;
-use radiosity_test_support::scenes::{builtin, typed};
+use radiosity_test_support::scenes::{NEAR_PLATES, builtin, typed};
 
 use super::shared::{CUBE, level, of};
 
@@ -102,23 +102,9 @@ fn a_kept_oven_tells_what_it_tells_alone_with_the_same_errors() {
     }
 }
 
-/// Plates a fiftieth of their size apart, of which even fluxes tell nearly a tenth too much.
-const PLATES: &str = r#"
-    materials.body = { emissivity = 0.8, temperature = 293.15 }
-    materials.foil = { emissivity = 0.05, temperature = 143 }
-    [[surfaces]]
-    name = "body"
-    material = "body"
-    quad = { vertices = [[0,0,0],[1,0,0],[1,1,0],[0,1,0]] }
-    [[surfaces]]
-    name = "foil"
-    material = "foil"
-    quad = { vertices = [[0,0,0.02],[0,1,0.02],[1,1,0.02],[1,0,0.02]] }
-"#;
-
 #[test]
 fn a_check_of_one_balance_makes_the_errors_of_others_as_many_times_larger() {
-    let plates = typed(PLATES);
+    let plates = typed(NEAR_PLATES);
     let options = Options { order: 0, ..HeatOptions::default().options };
     let (mut model, mut first) =
         HeatModel::of(&plates, &options, &Work::alone()).unwrap_or_else(|error| panic!("{error}"));
@@ -142,7 +128,7 @@ fn a_check_of_one_balance_makes_the_errors_of_others_as_many_times_larger() {
 /// plates are nearly a tenth too large.
 #[test]
 fn a_sweep_is_checked_where_most_flows() {
-    let plates = typed(PLATES);
+    let plates = typed(NEAR_PLATES);
     let options = Options { order: 0, ..HeatOptions::default().options };
     let check = CheckRequest { audit: "0.5".parse().ok() };
     for (text, expected) in [

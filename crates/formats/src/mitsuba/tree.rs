@@ -220,13 +220,13 @@ impl Reader<'_> {
             false => format!("{}/{name}", folder.path),
         };
         let mut paths: Vec<String> = source.folders.iter().map(path).collect();
-        let is_one = paths.len() == 1;
-        let first = paths.iter().position(|path| match self.is_there.get(path) {
-            _ if is_one => true,
+        let mut is_there = |path: &String| match self.is_there.get(path) {
             Some(is_there) => *is_there,
             None => *self.is_there.entry(path.clone()).or_insert(self.includes.has(path)),
-        });
-        let first = first.unwrap_or(0);
+        };
+        // One folder alone is not looked into.
+        let known = if paths.len() > 1 { paths.iter().position(&mut is_there) } else { None };
+        let first = known.unwrap_or(0);
         quoted.extend(source.folders[first].sources.iter().cloned());
         paths.swap_remove(first)
     }
