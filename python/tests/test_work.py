@@ -21,7 +21,7 @@ LONG = {
     "rays": "radiosity.load('cornell-box').solve(transport='sampled', rays=4_000_000_000, {progress})",
     "links": "radiosity.load('cornell-box').solve(method='hierarchical', eps=1e-9, {progress})",
     "accuracy": "radiosity.load('cornell-box').solve(accuracy=1e-6, {progress})",
-    "factors": "radiosity.view_factors(radiosity.load('cornell-box'), eps=1e-3, subdivide=24, {progress})",
+    "factors": "radiosity.view_factors(radiosity.load('cornell-box'), transport='exact', eps=1e-6, subdivide=24, {progress})",
     "heat": "radiosity.load('oven').heat(order=7, eps=1e-6, subdivide=12, {progress})",
     "picture": "box.render(size=(4000, 4000), read='gather', samples=8, {progress})",
     "picture gathered twice": "box.render(size=(4000, 4000), read='gather-twice', samples=8, {progress})",
