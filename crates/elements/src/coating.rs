@@ -36,8 +36,8 @@ use varying_reflectance::VaryingReflectance;
 /// Reflection, transmission and emission of all elements in one band.
 #[derive(Clone, Debug, Default)]
 pub struct Coating {
-    /// ρ per element, in [0, 1); its mean over the element's area where it varies.
-    pub reflectance: Vec<f64>,
+    /// ρ per element, in [0, 1); its mean over the element's area where it varies. Light groups share it.
+    pub reflectance: Arc<[f64]>,
     /// Emitted exitance per element (W m⁻²); its mean over the element's area where it varies.
     pub exitance: Vec<f64>,
     varying_reflectances: BTreeMap<usize, Arc<VaryingReflectance>>,
@@ -98,26 +98,25 @@ impl Coating {
 
     /// ρ and E₀ (W m⁻²) that are constant on every element.
     pub fn constant(reflectance: Vec<f64>, exitance: Vec<f64>) -> Self {
-        Self { reflectance, exitance, ..Self::default() }
+        Self { reflectance: reflectance.into(), exitance, ..Self::default() }
     }
 
     /// The coating of a scene's elements where nothing emits.
     pub fn reflecting(scene: &Scene, elements: &[Element], band: usize) -> Self {
-        let reflectance = |own: &Element| scene.surfaces[own.surface].material.reflectance[band];
-        let mut coating =
-            Self::constant(elements.iter().map(reflectance).collect(), vec![0.0; elements.len()]);
-        coating.transmissions = transmissions(scene, elements, band);
-        coating.varying_reflectances = of_each(elements, &|element| {
+        let varying_reflectances = of_each(elements, &|element| {
             let surface = &scene.surfaces[element.surface];
             let pattern = surface.material.reflectance_pattern.as_ref()?;
             let pattern = ElementPattern::new(element, &surface.shape, pattern, band);
             Some(VaryingReflectance::new(element, pattern))
         });
-        coating
-            .varying_reflectances
-            .iter()
-            .for_each(|(index, reflectance)| coating.reflectance[*index] = reflectance.mean);
-        coating
+        let constant = |own: &Element| scene.surfaces[own.surface].material.reflectance[band];
+        let mut reflectance: Vec<f64> = elements.iter().map(constant).collect();
+        varying_reflectances.iter().for_each(|(index, varying)| reflectance[*index] = varying.mean);
+        Self {
+            varying_reflectances,
+            transmissions: transmissions(scene, elements, band),
+            ..Self::constant(reflectance, vec![0.0; elements.len()])
+        }
     }
 
     /// Coating of this reflection and transmission where only the members of a light group emit, for None
@@ -370,9 +369,8 @@ impl Coating {
 
     /// Coating of this emission where nothing is reflected or let through.
     pub fn black(&self) -> Self {
-        let reflectance = vec![0.0; self.reflectance.len()];
         Self {
-            reflectance,
+            reflectance: vec![0.0; self.reflectance.len()].into(),
             varying_reflectances: BTreeMap::new(),
             transmissions: BTreeMap::new(),
             ..self.clone()

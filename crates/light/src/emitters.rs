@@ -1,6 +1,8 @@
 //! Emitters of a scene: elements, diffusely or by direction, by their exitance; luminaires without an area
 //! and the sun, by their intensity.
 
+use std::sync::Arc;
+
 use radiosity_elements::Element;
 use radiosity_elements::coating::Coating;
 use radiosity_geom::DVec3;
@@ -21,9 +23,9 @@ pub struct Emitters<'a> {
     pub points: &'a PointLights,
 }
 
-/// Angular distributions of the light of surfaces that are no diffuse emitters.
+/// Angular distributions of the light of surfaces that are no diffuse emitters. Copies share them.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Radiances(Vec<Option<Radiance>>);
+pub struct Radiances(Arc<[Option<Radiance>]>);
 
 impl Radiances {
     /// Angular distributions of the surfaces of a scene.

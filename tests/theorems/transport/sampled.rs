@@ -16,7 +16,7 @@ use radiosity::{
     transport::{Rays, SampledTransport},
 };
 use radiosity_test_support::scenes::grey;
-use radiosity_test_support::scenes::{builtin, material};
+use radiosity_test_support::scenes::{builtin, material, typed};
 use radiosity_test_support::shapes::{ball, disk, plate, tube};
 use radiosity_test_support::solved::{blocks_of, elements_of, outcome_of};
 
@@ -245,6 +245,59 @@ fn the_error_told_is_that_of_a_hundred_times_as_many_rays() {
         // Means over surfaces are better than those over their elements, which the figure is of.
         assert!(truth < 2.0 * error, "{name}: {truth} beyond what is told, {error}");
     }
+}
+
+/// A room under so many lamps, each a light group of its own, the first the largest.
+fn room_of_groups(lamps: usize) -> Scene {
+    let mut text = String::from("[materials.white]\nreflectance = 0.5\n");
+    let mut add = |name: &str, vertices: &str, material: &str, more: &str| {
+        text += &format!("[[surfaces]]\nname = \"{name}\"\nmaterial = \"{material}\"\n{more}");
+        text += &format!("quad = {{ vertices = [{vertices}] }}\n");
+    };
+    for (name, vertices) in [
+        ("floor", "[0,0,0],[9,0,0],[9,9,0],[0,9,0]"),
+        ("ceiling", "[0,0,3],[0,9,3],[9,9,3],[9,0,3]"),
+        ("west", "[0,0,0],[0,9,0],[0,9,3],[0,0,3]"),
+        ("east", "[9,0,0],[9,0,3],[9,9,3],[9,9,0]"),
+        ("south", "[0,0,0],[0,0,3],[9,0,3],[9,0,0]"),
+        ("north", "[0,9,0],[9,9,0],[9,9,3],[0,9,3]"),
+    ] {
+        add(name, vertices, "white", "");
+    }
+    for lamp in 0..lamps {
+        let [x, y] = [lamp % 10, lamp / 10].map(|place| 0.4 + 0.8 * place as f64);
+        let half = 0.3 / (1.0 + lamp as f64 / 10.0);
+        let [left, right, low, high] = [x - half, x + half, y - half, y + half];
+        let corners =
+            format!("[{left},{low},2.9],[{left},{high},2.9],[{right},{high},2.9],[{right},{low},2.9]");
+        add(&format!("lamp{lamp}"), &corners, "lamp", &format!("group = \"group{lamp}\"\n"));
+    }
+    typed(&(text + "[materials.lamp]\nreflectance = 0.1\nemission = 1.0\n"))
+}
+
+#[test]
+fn the_error_told_is_that_of_the_light_group_that_errs_most() {
+    let scene = room_of_groups(100);
+    let of = |transport, rays| {
+        let options =
+            Options { transport, rays, order: 0, subdivide: Some(2), threads: 2, ..Options::default() };
+        outcome_of(&scene, &options)
+    };
+    let (told, exact) = (of(Transport::Sampled, Some(100_000)), of(Transport::Exact, None));
+    let elements = told.solution.elements();
+    let mut worst: f64 = 0.0;
+    for (own, right) in told.solution.groups().iter().zip(exact.solution.groups()) {
+        let [own, right] = [own, right].map(|light| elements.means(&light.bands[0].irradiance));
+        let (mut far, mut all) = (0.0, 0.0);
+        for ((own, right), element) in own.iter().zip(&right).zip(elements.list()) {
+            far += element.area * (own - right).powi(2);
+            all += element.area * right.powi(2);
+        }
+        worst = worst.max((far / all).sqrt());
+    }
+    let error = told.sampling.and_then(|sampling| sampling.error).expect("rays carried the light");
+    println!("told {error:.3}, the worst of 100 groups errs by {worst:.3}");
+    assert!(told.solution.groups().len() == 100 && worst < 2.0 * error && error < 3.0 * worst);
 }
 
 #[test]

@@ -40,6 +40,7 @@ impl Emission {
         }
         let reflecting: Vec<Coating> =
             (0..scene.bands.len()).map(|band| Coating::reflecting(scene, elements, band)).collect();
+        let radiances = Radiances::of(scene);
         let of = |group: Option<&str>| Self {
             group: group.map(str::to_owned),
             coatings: reflecting
@@ -48,7 +49,7 @@ impl Emission {
                 .map(|(band, own)| own.with_group(scene, elements, band, group))
                 .collect(),
             points: PointLights::of_group(scene, group),
-            radiances: Radiances::of(scene),
+            radiances: radiances.clone(),
         };
         groups.into_iter().map(of).collect()
     }
