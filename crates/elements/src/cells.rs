@@ -32,6 +32,11 @@ impl Layers {
     /// No grading.
     pub const NONE: Self = Self { count: 0, ratio: 0.25 };
 
+    /// Most layers of the ratio q whose cells are wide enough to compute with.
+    pub(crate) fn most(ratio: f64) -> usize {
+        (SMALLEST_CELL.ln() / ratio.ln()).floor() as usize
+    }
+
     /// Whether 0 < q < 1 and the smallest cell is wide enough to compute with.
     pub(crate) fn is_valid(&self) -> bool {
         self.ratio > 0.0 && self.ratio < 1.0 && self.ratio.powf(self.count as f64) >= SMALLEST_CELL
@@ -43,13 +48,16 @@ pub(crate) fn equal_parts(parts: usize) -> Vec<f64> {
     (0..=parts).map(|k| -1.0 + 2.0 * k as f64 / parts as f64).collect()
 }
 
-/// Ends of intervals of [−1, 1], ascending from −1 to 1, with layers in the outermost.
-pub(crate) fn with_layers(ends: &[f64], layers: Layers) -> Vec<f64> {
+/// Ends of intervals of [−1, 1], ascending from −1 to 1, with layers at the lower and the upper side in the outermost.
+pub(crate) fn with_layers(ends: &[f64], sides: [Layers; 2]) -> Vec<f64> {
     let inner = &ends[1..ends.len() - 1];
     let outermost = [1.0 + ends[1], 1.0 - ends[ends.len() - 2]].map(|width| width.min(1.0));
-    let distances = |width: f64| (1..=layers.count).map(move |k| width * layers.ratio.powf(k as f64));
-    let low = distances(outermost[0]).rev().map(|distance| -1.0 + distance);
-    let high = distances(outermost[1]).map(|distance| 1.0 - distance);
+    let distances = |side: usize| {
+        let Layers { count, ratio } = sides[side];
+        (1..=count).map(move |k| outermost[side] * ratio.powf(k as f64))
+    };
+    let low = distances(0).rev().map(|distance| -1.0 + distance);
+    let high = distances(1).map(|distance| 1.0 - distance);
     [-1.0].into_iter().chain(low).chain(inner.iter().copied()).chain(high).chain([1.0]).collect()
 }
 
@@ -74,7 +82,7 @@ mod tests {
     fn one_layer_of_an_uncut_direction() {
         // 0, .075, .925, 1 in [0, 1].
         let expected = [-1.0, -0.85, 0.85, 1.0];
-        let breaks = with_layers(&equal_parts(1), Layers { count: 1, ratio: 0.15 });
+        let breaks = with_layers(&equal_parts(1), [Layers { count: 1, ratio: 0.15 }; 2]);
         assert_eq!(breaks.len(), expected.len());
         assert!(breaks.iter().zip(expected).all(|(b, e)| (b - e).abs() < 1e-15), "{breaks:?}");
     }
@@ -82,14 +90,16 @@ mod tests {
     #[test]
     fn layers_cut_only_the_outermost_parts() {
         let expected = [-1.0, -0.875, -0.5, 0.0, 0.5, 0.875, 1.0];
-        assert_eq!(with_layers(&equal_parts(4), Layers { count: 1, ratio: 0.25 }), expected);
+        assert_eq!(with_layers(&equal_parts(4), [Layers { count: 1, ratio: 0.25 }; 2]), expected);
     }
 
     #[test]
     fn layers_at_both_sides_suit_the_parts_there() {
         let expected = [-1.0, -0.75, 0.0, 0.75, 0.9375, 1.0];
-        assert_eq!(with_layers(&[-1.0, 0.0, 0.75, 1.0], Layers { count: 1, ratio: 0.25 }), expected);
-        assert_eq!(with_layers(&[-1.0, 1.0], Layers::NONE), [-1.0, 1.0]);
+        let layer = Layers { count: 1, ratio: 0.25 };
+        assert_eq!(with_layers(&[-1.0, 0.0, 0.75, 1.0], [layer; 2]), expected);
+        assert_eq!(with_layers(&[-1.0, 1.0], [Layers::NONE; 2]), [-1.0, 1.0]);
+        assert_eq!(with_layers(&[-1.0, 1.0], [Layers::NONE, layer]), [-1.0, 0.75, 1.0]);
     }
 
     #[test]
@@ -106,7 +116,7 @@ mod tests {
         fn cells_cover_the_square(
             parts in prop::array::uniform2(1..5usize), count in 0..=5usize, ratio in 0.1..0.9,
         ) {
-            let breaks = parts.map(|parts| with_layers(&equal_parts(parts), Layers { count, ratio }));
+            let breaks = parts.map(|parts| with_layers(&equal_parts(parts), [Layers { count, ratio }; 2]));
             for (breaks, parts) in breaks.iter().zip(parts) {
                 prop_assert_eq!(breaks.len() - 1, parts + 2 * count);
                 prop_assert!(breaks.windows(2).all(|w| w[0] < w[1]));

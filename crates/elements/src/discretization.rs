@@ -35,6 +35,10 @@ pub enum Subdivide {
     Auto {
         /// Whether anything in the scene can cast a shadow.
         occluded: bool,
+        /// Whether surfaces that others face from near by have layers at their sides (`nearness`), where none are
+        /// asked for.
+        #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+        near_layers: bool,
     },
     /// This number along u and along v of every surface.
     Uniform(usize),
@@ -50,7 +54,7 @@ impl Subdivide {
     /// Whether surfaces are cut where things before them make steps of light too.
     pub(super) fn follows_light(self) -> bool {
         match self {
-            Self::Auto { occluded } => occluded,
+            Self::Auto { occluded, .. } => occluded,
             Self::Graded { .. } => true,
             Self::Uniform(_) => false,
         }

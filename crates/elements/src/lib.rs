@@ -32,6 +32,7 @@ pub mod coating;
 pub mod mesh;
 mod discretization;
 mod dividers;
+mod nearness;
 mod shaded_parts;
 mod resolution;
 pub mod sampling;
@@ -527,7 +528,7 @@ mod tests {
             let how = Discretization {
                 order: 3,
                 space: Space::Total,
-                subdivide: Subdivide::Auto { occluded: true },
+                subdivide: Subdivide::Auto { occluded: true, near_layers: false },
                 layers: Layers::NONE,
             };
             let elements = Elements::new(&scene, &how).unwrap_or_else(|error| panic!("{turn}: {error}"));

@@ -276,7 +276,7 @@ mod tests {
     #[test]
     fn a_grid_has_the_cells_between_its_breaks_in_order() {
         let layers = Layers { count: 1, ratio: 0.3 };
-        let breaks = [3, 2].map(|parts| with_layers(&equal_parts(parts), layers));
+        let breaks = [3, 2].map(|parts| with_layers(&equal_parts(parts), [layers; 2]));
         let cells: Vec<Rect> = cells_between(&breaks).collect();
         assert_eq!(rects(&Tree::grid(&breaks, 0)), cells);
     }

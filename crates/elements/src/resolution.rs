@@ -4,10 +4,11 @@ use radiosity_geom::{Aabb, Rect};
 use radiosity_scene::{Pattern, Scene, SceneSurface};
 use rayon::prelude::*;
 
-use super::cells::{equal_parts, with_layers};
+use super::cells::{Layers, equal_parts, with_layers};
 use super::discretization::{Discretization, Subdivide};
 use super::dividers::{Dividers, Lines, divided};
 use super::mesh::{Mesh, Tree};
+use super::nearness::Nearness;
 
 /// Order and cuts of each surface of a scene.
 #[derive(Debug)]
@@ -19,6 +20,8 @@ pub(super) struct Resolution<'a> {
     shares: Vec<f64>,
     /// Partitions that part the light of surfaces; None where a number of elements is asked for.
     dividers: Option<Dividers<'a>>,
+    /// Faces that are near, where surfaces have layers for them.
+    nearness: Option<Nearness>,
 }
 
 /// A surface that sends at least so many rays carries polynomials of at most `order` on `parts` × `parts`
@@ -52,7 +55,9 @@ impl<'a> Resolution<'a> {
             Subdivide::Auto { .. } | Subdivide::Uniform(_) => Vec::new(),
         };
         let dividers = how.subdivide.follows_light().then(|| Dividers::of(scene));
-        Self { how: *how, extent, shares, dividers }
+        let is_layered = matches!(how.subdivide, Subdivide::Auto { near_layers: true, .. });
+        let nearness = (is_layered && how.layers.count == 0).then(|| Nearness::of(scene));
+        Self { how: *how, extent, shares, dividers, nearness }
     }
 
     /// Order of the polynomials on the `index`-th surface.
@@ -71,7 +76,7 @@ impl<'a> Resolution<'a> {
             let parts = match self.how.subdivide {
                 Subdivide::Uniform(parts) => parts,
                 Subdivide::Graded { rays } => self.grade(index, rays).map_or(1, |grade| grade.parts),
-                Subdivide::Auto { occluded } => {
+                Subdivide::Auto { occluded, .. } => {
                     let bounds = surface.shape.bounds(&Rect::FULL);
                     let large = (bounds.max - bounds.min).max_element() > 0.5 * self.extent;
                     if occluded && large { 2 } else { 1 }
@@ -86,7 +91,15 @@ impl<'a> Resolution<'a> {
     pub(super) fn breaks(&self, index: usize, surface: &SceneSurface) -> [Vec<f64>; 2] {
         let parts = self.parts(index, surface).map(equal_parts);
         let lines = self.lines(index, surface);
-        [0, 1].map(|across| with_layers(&divided(&parts[across], &lines[across]), self.how.layers))
+        let layers = self.layers(index, surface);
+        [0, 1].map(|across| with_layers(&divided(&parts[across], &lines[across]), layers[across]))
+    }
+
+    /// Layers of the `index`-th surface along u and v, at the lower and the upper side: those that are asked for, or what
+    /// is near wants; the latter not where its cells are stated.
+    fn layers(&self, index: usize, surface: &SceneSurface) -> [[Layers; 2]; 2] {
+        let nearness = self.nearness.as_ref().filter(|_| surface.subdivide.is_none());
+        nearness.map_or([[self.how.layers; 2]; 2], |nearness| nearness.layers(index))
     }
 
     /// The lines along which the `index`-th surface is cut besides; none where its cells are stated, or are those of

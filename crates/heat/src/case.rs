@@ -24,7 +24,7 @@ impl Case {
     pub(super) fn of(scene: Scene, wanted: &Options) -> Result<Self, HeatError> {
         let roles = Roles::of(&scene)?;
         let tolerance = wanted.tolerance.max(roles.rounding(&scene));
-        let options = Options { direct: Direct::Projected, tolerance, ..*wanted };
+        let options = Options { direct: Direct::Projected, near_layers: true, tolerance, ..*wanted };
         Ok(Self { scene, roles, options })
     }
 

@@ -267,7 +267,7 @@ fn constants(
     let wanted = |i: usize, j: usize| wanted(i, j) || wanted(j, i);
     let decide = || {
         let visibility = Visibility::new(&scene, options.shadows, accuracy.shadow_eps);
-        let auto = || Subdivide::Auto { occluded: visibility.any_shadow() };
+        let auto = || Subdivide::Auto { occluded: visibility.any_shadow(), near_layers: false };
         let how = constant_on(options.subdivide.map_or_else(auto, Subdivide::Uniform));
         let plan = Plan::of(&scene, &how, &wanted, options, &visibility);
         (visibility, how, plan)

@@ -49,7 +49,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
 fn costs(scene: &Scene) -> Result<Vec<BlockWork>, Box<dyn std::error::Error>> {
     let options = Options::default();
     let visibility = options.visibility(scene);
-    let subdivide = Subdivide::Auto { occluded: visibility.any_shadow() };
+    let subdivide = Subdivide::Auto { occluded: visibility.any_shadow(), near_layers: false };
     let Options { order, space, layers, .. } = options;
     let elements = Elements::new(scene, &Discretization { order, space, subdivide, layers })?;
     let sends = |element: usize| scene.surfaces[elements.list()[element].surface].material.sends();

@@ -238,8 +238,10 @@ fn nothing_leaks_between_touching_boxes() {
 /// Errors of the blocks of `scene` at the usual accuracy against those at `finest`, relative to the largest
 /// entry of the row, the largest.
 fn largest_error(scene: &Scene, order: usize, finest: f64) -> f64 {
-    let how =
-        Discretization { subdivide: Subdivide::Auto { occluded: true }, ..Discretization::uniform(order, 1) };
+    let how = Discretization {
+        subdivide: Subdivide::Auto { occluded: true, near_layers: false },
+        ..Discretization::uniform(order, 1)
+    };
     let elements = Elements::new(scene, &how).expect("all have area");
     let blocks = |accuracy: Accuracy| {
         let visibility = Visibility::new(scene, Shadows::Auto, accuracy.shadow_eps);

@@ -12,8 +12,7 @@
 
 use std::time::Duration;
 
-use radiosity_elements::cut_sizes;
-use radiosity_elements::{Discretization, Subdivide};
+use radiosity_elements::{Discretization, cut_sizes};
 use radiosity_scene::Scene;
 use radiosity_transport::price::{ElementPair, LEAST, price};
 use radiosity_visibility::{Shadows, Visibility};
@@ -94,10 +93,7 @@ fn exact_price_at_least(scene: &Scene) -> f64 {
 
 /// The elements of exact blocks.
 fn elements_of(options: &Options, visibility: &Visibility) -> Discretization {
-    let subdivide = match options.subdivide {
-        Some(cuts) => Subdivide::Uniform(cuts),
-        None => Subdivide::Auto { occluded: visibility.any_shadow() },
-    };
+    let subdivide = options.exact_cuts(visibility.any_shadow());
     let Options { order, space, layers, .. } = *options;
     Discretization { order, space, subdivide, layers }
 }

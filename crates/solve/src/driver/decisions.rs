@@ -133,11 +133,10 @@ impl Decisions<'_> {
 /// The cuts of the scene, given the rays that carry its pairs, if any: into elements that hold the functions
 /// of the basis.
 fn ground(scene: &Scene, visibility: &Visibility, options: &Options, rays: Option<u64>) -> Ground {
-    let auto = || match rays {
-        Some(rays) => Subdivide::Graded { rays },
-        None => Subdivide::Auto { occluded: visibility.any_shadow() },
+    let subdivide = match (options.subdivide, rays) {
+        (None, Some(rays)) => Subdivide::Graded { rays },
+        _ => options.exact_cuts(visibility.any_shadow()),
     };
-    let subdivide = options.subdivide.map_or_else(auto, Subdivide::Uniform);
     let Options { basis, order, space, layers, eps, .. } = *options;
     basis.ground(scene, &Discretization { order, space, subdivide, layers }, eps)
 }

@@ -1,5 +1,6 @@
 //! Options of a solution.
 
+use radiosity_elements::Subdivide;
 use radiosity_elements::cells::Layers;
 use radiosity_elements::space::Space;
 use radiosity_kernel::Accuracy;
@@ -42,6 +43,10 @@ pub struct Options {
     pub subdivide: Option<usize>,
     /// Further cuts of the outermost cells of every surface, towards its sides.
     pub layers: Layers,
+    /// Whether exact blocks take layers at the sides of surfaces that others face from near by, where neither cuts nor
+    /// layers are given.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub near_layers: bool,
     /// Accuracy of the kernel blocks; by links, the greatest power or form factor of one.
     pub eps: f64,
     /// The links of the hierarchical method.
@@ -110,6 +115,7 @@ impl Default for Options {
             space: Space::Total,
             subdivide: None,
             layers: Layers::NONE,
+            near_layers: false,
             eps: 1e-3,
             linking: Linking::default(),
             kernel: None,
@@ -139,6 +145,12 @@ impl Options {
     /// Accuracy of the blocks.
     pub fn accuracy(&self) -> Accuracy {
         Accuracy { eps: self.eps, shadow_eps: self.shadows.accuracy(self.eps, self.shadow_eps) }
+    }
+
+    /// The cuts of surfaces for exact blocks; `occluded` where anything can cast a shadow.
+    pub(crate) fn exact_cuts(&self, occluded: bool) -> Subdivide {
+        let auto = Subdivide::Auto { occluded, near_layers: self.near_layers };
+        self.subdivide.map_or(auto, Subdivide::Uniform)
     }
 
     /// Whether each ordered pair of elements is integrated by itself, as published methods do.

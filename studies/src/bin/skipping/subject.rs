@@ -22,7 +22,12 @@ impl Subject {
         let scene = radiosity::language::read(&radiosity::language::source(source, setting.as_slice())?)?;
         let Options { order, space, layers, .. } = Options::default();
         let occluded = Options::default().visibility(&scene).any_shadow();
-        let how = Discretization { order, space, subdivide: Subdivide::Auto { occluded }, layers };
+        let how = Discretization {
+            order,
+            space,
+            subdivide: Subdivide::Auto { occluded, near_layers: false },
+            layers,
+        };
         let elements = Elements::new(&scene, &how)?;
         Ok(Self { name: name.to_owned(), scene, elements })
     }

@@ -6,7 +6,7 @@
 
 use radiosity_elements::basis::HIGHEST_ORDER;
 use radiosity_elements::cells::Layers;
-use radiosity_elements::{Discretization, Elements, Subdivide};
+use radiosity_elements::{Discretization, Elements};
 use radiosity_scene::Scene;
 use radiosity_visibility::Visibility;
 
@@ -87,6 +87,6 @@ impl Rung {
 
 fn unknowns(scene: &Scene, options: &Options, occluded: bool) -> Result<usize, Failure> {
     let Options { order, space, layers, .. } = *options;
-    let subdivide = options.subdivide.map_or(Subdivide::Auto { occluded }, Subdivide::Uniform);
+    let subdivide = options.exact_cuts(occluded);
     Ok(Elements::new(scene, &Discretization { order, space, subdivide, layers })?.coefficients())
 }
