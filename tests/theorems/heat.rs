@@ -8,4 +8,5 @@ mod enclosures;
 mod kept;
 mod levels;
 mod random;
+mod rays;
 mod refusals;

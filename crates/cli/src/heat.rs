@@ -11,7 +11,7 @@ use std::time::Instant;
 use clap::{Args, ValueEnum};
 use radiosity_audit::{Checked, HeatFault};
 use radiosity_heat::Heat;
-use radiosity_heat::remarks::{adiabatic_backs, light_without_heat, without_level};
+use radiosity_heat::remarks::{adiabatic_backs, carried_by_rays, light_without_heat, without_level};
 use radiosity_heat::remarks::{corrected, heat_unchecked, heat_underestimated, no_error_of_cut};
 use radiosity_kernel::WorstError;
 use radiosity_output::documents::heat as output;
@@ -65,7 +65,7 @@ times larger.";
     mut_arg("subdivide", |cuts| {
         cuts.help("Cuts each surface into K × K elements; auto looks at what the scene needs [default: auto]")
     }),
-    mut_arg("transport", |transport| transport.help("How the pairs of elements are carried [default: exact]")),
+    mut_arg("transport", |transport| transport.help("How the pairs of elements are carried [default: auto]")),
     mut_arg("rays", |rays| {
         rays.help("Rays of the sampled transport [default: by the number of surfaces and --shadow-eps]")
     }),
@@ -275,6 +275,7 @@ fn findings(scene: &Scene, heat: &Heat, unchecked: Option<&HeatFault>) -> Vec<St
         format!("the scene is closed: the flows sum to {:.1e} W", heat.lost)
     };
     let mut lines: Vec<String> = heat.moved.map(corrected).into_iter().collect();
+    lines.extend(carried_by_rays(&heat.outcome));
     lines.extend(light_without_heat(scene));
     lines.extend(adiabatic_backs(&heat.usual_backs(scene)));
     lines.extend(without_level(&heat.without_level));

@@ -28,7 +28,7 @@
 
 use radiosity_core::dot;
 use radiosity_elements::mesh::{CellRefinement, Mesh};
-use radiosity_elements::{Elements, Subdivide};
+use radiosity_elements::Elements;
 use radiosity_solve::driver::cost::seconds_of_samples;
 use radiosity_solve::{Model, Outcome};
 
@@ -73,7 +73,8 @@ impl Cut {
             return None;
         }
         let is_whole = chosen.len() == varied.len();
-        Some(Self { mesh: refined(elements, &chosen), order, is_whole, chosen })
+        let by_rays = outcome.sampling.is_some();
+        Some(Self { mesh: refined(elements, &chosen, by_rays), order, is_whole, chosen })
     }
 
     /// The factor that makes errors of the differences from the balance of an `outcome`: c, and what surfaces that are
@@ -92,17 +93,14 @@ impl Cut {
 
 /// The cells of these elements, those of the surfaces `chosen` in quarters; of orders that rays support, if rays carry
 /// them.
-fn refined(elements: &Elements, chosen: &[usize]) -> Mesh {
+fn refined(elements: &Elements, chosen: &[usize], by_rays: bool) -> Mesh {
     let mut of_surfaces = vec![CellRefinement::Keep; elements.surfaces()];
     for surface in chosen {
         of_surfaces[*surface] = CellRefinement::Cut(None);
     }
     let refinement: Vec<CellRefinement> =
         elements.list().iter().map(|element| of_surfaces[element.surface]).collect();
-    let least = match elements.discretization().subdivide {
-        Subdivide::Auto { .. } | Subdivide::Uniform(_) => LEAST_ORDER,
-        Subdivide::Graded { .. } => 0,
-    };
+    let least = if by_rays { 0 } else { LEAST_ORDER };
     elements.refined(&refinement).with_orders(&|_, order| order.max(least))
 }
 

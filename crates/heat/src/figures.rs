@@ -167,7 +167,7 @@ pub(super) fn add_errors_of_blocks(surfaces: &mut [SurfaceHeat], eps: f64) {
 }
 
 /// Makes the errors of flow and temperature those that follow from one of the irradiance (W m⁻²) at the least.
-fn add_errors_of_irradiance(own: &mut SurfaceHeat, irradiance: f64) {
+pub(super) fn add_errors_of_irradiance(own: &mut SurfaceHeat, irradiance: f64) {
     if !own.is_flow_known {
         own.flow_error = own.flow_error.max(own.emissivity.unwrap_or(1.0) * irradiance * own.area);
     }

@@ -37,7 +37,7 @@ impl HeatModel {
     pub fn of(scene: &Scene, options: &Options, work: &Work<'_>) -> Result<(Self, Heat), HeatError> {
         let find = || work.during(Stage::Backs, || reached_backs(scene));
         let fronts = options.in_threads(work.ranks, find)?;
-        let mut case = Case::of(scene.with_backs(&fronts), options)?;
+        let mut case = options.in_threads(work.ranks, || Case::of(scene.with_backs(&fronts), options))??;
         let mut transfers = Transfers::first(&case, false, work)?;
         let solve = || Heat::balanced(&mut case, &mut transfers, work);
         let mut heat = work.during(Stage::Solve, solve)?;
@@ -46,7 +46,9 @@ impl HeatModel {
         let cut = cut.filter(|cut| forecast.fits(cut, forecast.of_first()));
         let mut finer = cut.map(|cut| Finer::of(cut, &case, work)).transpose()?;
         heat.add_errors(finer.as_mut(), &case, work)?;
-        Ok((Self { scene: case.scene, fronts, options: *options, transfers, finer }, heat))
+        let Options { transport, rays, order, .. } = case.options;
+        let options = Options { transport, rays, order, ..*options };
+        Ok((Self { scene: case.scene, fronts, options, transfers, finer }, heat))
     }
 
     /// The balance of a scene of the surfaces of the first one, such as [`Scene::with_heat`] makes it.

@@ -22,11 +22,11 @@
 //!
 //! In order: [`HeatError`], `black_body`, `backs` (which of them heat reaches), `roles` (what is known of
 //! each surface), `coats` (scenes with the coatings of heat), `closure` (rows that sum to 1), `levels`,
-//! `figures` (of each surface), `field` (σ T⁴ over surfaces), `shields`, `conductances`, `cut` (elements that
-//! tell the error), `forecast`, `case` (a scene, its roles and options), `transfers` between its elements and
-//! the `finer` ones of a cut, [`Heat`], the balance, [`HeatModel`], transfers that are kept for many of them,
-//! [`judging`], what a referee says of one, [`remarks`] on both, `checking`, errors made true by that, and
-//! [`ToldHeat`], what files tell of a balance.
+//! `figures` (of each surface), `noise` (that rays leave in them), `field` (σ T⁴ over surfaces), `shields`,
+//! `conductances`, `cut` (elements that tell the error), `forecast`, `case` (a scene, its roles and options),
+//! `transfers` between its elements and the `finer` ones of a cut, [`Heat`], the balance, [`HeatModel`],
+//! transfers that are kept for many of them, [`judging`], what a referee says of one, [`remarks`] on both,
+//! `checking`, errors made true by that, and [`ToldHeat`], what files tell of a balance.
 //!
 //! Imports `core`, `geom`, `solvers`, `work`, `fit`, `scene`, `audit`, `visibility`, `elements`, `kernel` and `solve`.
 
@@ -38,6 +38,7 @@ mod coats;
 mod closure;
 mod levels;
 mod figures;
+mod noise;
 mod field;
 mod shields;
 mod conductances;
@@ -55,7 +56,7 @@ mod told_heat;
 use radiosity_audit::Checked;
 use radiosity_scene::{Scene, SceneSurface};
 use radiosity_solve::solution::Solution;
-use radiosity_solve::{Options, Outcome, Transport};
+use radiosity_solve::{Options, Outcome};
 use radiosity_work::{Stage, Work};
 
 use backs::with_backs;
@@ -68,6 +69,7 @@ pub use figures::SurfaceHeat;
 use figures::{ErrorGrowth, add_errors, add_errors_of_blocks, difference, figures};
 use finer::Finer;
 pub use heat_model::HeatModel;
+use noise::Noise;
 use roles::named;
 pub use told_heat::ToldHeat;
 use transfers::Transfers;
@@ -119,13 +121,13 @@ pub struct HeatOptions {
 }
 
 impl Default for HeatOptions {
-    /// Order 3, every pair to 1e-4 with its shadows, the system to 1e-12; no conductances.
+    /// Order 3, every pair to 1e-4 with its shadows by rules, or by rays and of order 0 where rules would take long,
+    /// the system to 1e-12; no conductances.
     fn default() -> Self {
         let options = Options {
             order: 3,
             eps: 1e-4,
             shadow_eps: 1e-4,
-            transport: Transport::Exact,
             tolerance: 1e-12,
             ..Options::default()
         };
@@ -149,7 +151,7 @@ impl Heat {
     pub fn of(scene: &Scene, wanted: &HeatOptions, work: &Work<'_>) -> Result<Self, HeatError> {
         let find = || work.during(Stage::Backs, || with_backs(scene));
         let scene = wanted.options.in_threads(work.ranks, find)?;
-        let mut case = Case::of(scene, &wanted.options)?;
+        let mut case = wanted.options.in_threads(work.ranks, || Case::of(scene, &wanted.options))??;
         let mut conductances = None;
         let (mut heat, cut) = {
             let mut transfers = Transfers::first(&case, wanted.conductances, work)?;
@@ -171,7 +173,8 @@ impl Heat {
     fn balanced(case: &mut Case, transfers: &mut Transfers, work: &Work<'_>) -> Result<Self, HeatError> {
         transfers.settle(case)?;
         let mut outcome = transfers.light(case, work)?;
-        let Case { scene, roles, .. } = case;
+        let Case { scene, roles, choice, .. } = case;
+        outcome.choice = choice.clone();
         let surfaces = figures(scene, roles, &outcome)?;
         // What rules or rays missed does not matter where sums tell it.
         outcome.worst_error = outcome.worst_error.filter(|_| !transfers.closure().is_exact);
@@ -201,6 +204,9 @@ impl Heat {
         let tolerance = case.options.tolerance;
         let reached = case.options.eps.max(self.outcome.accuracy_reached);
         let reached = if self.is_exact { tolerance } else { reached };
+        if let Some(noise) = Noise::of(&self.outcome) {
+            noise.add_to(&mut self.surfaces);
+        }
         let finer = finer.and_then(|finer| Some((finer.factor(case, &self.outcome)?, finer)));
         let Some((factor, finer)) = finer else {
             add_errors_of_blocks(&mut self.surfaces, reached);
@@ -208,12 +214,11 @@ impl Heat {
         };
         self.is_cut = true;
         let others = finer.figures(case, work)?;
-        let by_rays = self.outcome.sampling.and_then(|sampling| sampling.error).unwrap_or(0.0);
         let least = match finer.is_whole() {
             true => reached.min(difference(&self.surfaces, &others)),
             false => reached,
         };
-        add_errors(&mut self.surfaces, &others, factor, least.max(by_rays).max(tolerance));
+        add_errors(&mut self.surfaces, &others, factor, least.max(tolerance));
         Ok(())
     }
 

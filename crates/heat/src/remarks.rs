@@ -2,6 +2,7 @@
 
 use radiosity_audit::{Checked, HeatFault};
 use radiosity_scene::Scene;
+use radiosity_solve::Outcome;
 use radiosity_work::digits::significant;
 use radiosity_work::wording::{Wording, option, words};
 
@@ -51,6 +52,20 @@ pub fn no_error_of_cut() -> Wording {
     ) + option("memory")
         + ", or take a lower "
         + option("order")
+}
+
+/// Words for rays that carried the transfers of a balance, why they did, and what they leave; none where rules carried
+/// them.
+pub fn carried_by_rays(outcome: &Outcome) -> Option<String> {
+    let sampling = outcome.sampling.as_ref()?;
+    let left = match sampling.error {
+        Some(error) => format!("{} % of the irradiance", significant(100.0 * error, 2)),
+        None => "an error that too few rays do not tell".to_owned(),
+    };
+    Some(format!(
+        "carried by {} rays ({}) between elements of even flux, {} pairs by rules: they leave {left}",
+        sampling.rays, outcome.choice.why, sampling.exact_pairs
+    ))
 }
 
 /// Words for heat that a referee finds to be off by more than its errors tell.

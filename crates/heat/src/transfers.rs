@@ -29,7 +29,7 @@ impl Transfers {
         if has_conductances {
             case.forecast(work.ranks).require_conductances()?;
         }
-        let Case { scene, roles, options } = case;
+        let Case { scene, roles, options, .. } = case;
         Self::closed(Model::assemble(&all_emit(scene, roles), options, work)?, case, options, work)
     }
 
@@ -74,7 +74,7 @@ impl Transfers {
     /// # Errors
     /// What the solver refuses.
     pub(super) fn light(&mut self, case: &Case, work: &Work<'_>) -> Result<Outcome, HeatError> {
-        let Case { scene, roles, options } = case;
+        let Case { scene, roles, options, .. } = case;
         self.model.set_tolerance(options.tolerance);
         let radiant = radiant(scene, roles);
         let outcome = self.model.solve(&radiant, work)?;

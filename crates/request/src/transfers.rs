@@ -98,22 +98,14 @@ impl TransferRequest {
         self.threads.map_or(0, ranges::Threads::count)
     }
 
-    /// Refuses rays where rules carry all pairs, as they do unless told otherwise where that is `usual`.
-    fn check(&self, usual: Transport) -> Result<(), Refusal> {
+    /// Refuses rays where rules carry all pairs.
+    fn check(&self) -> Result<(), Refusal> {
         let Some(rays) = asked_rays(self.transport, self.rays.is_some()) else { return Ok(()) };
         let others = [
             (self.transport == Some(Transport::Exact)).then(|| set("transport", "exact")),
             (self.shadows == Some(Shadows::Off)).then(|| set("shadows", "off")),
         ];
-        refuse(rays, others)?;
-        if self.transport.unwrap_or(usual) != Transport::Exact {
-            return Ok(());
-        }
-        let needed = || set("transport", "sampled");
-        Err(Refusal::new(
-            option("rays") + " does nothing without " + needed(),
-            words("add ") + needed() + ", or leave " + option("rays") + " out",
-        ))
+        refuse(rays, others)
     }
 
     /// The options of view factors.
@@ -122,7 +114,7 @@ impl TransferRequest {
     /// Rays where rules carry all pairs.
     pub fn factors(&self) -> Result<view_factors::Options, Refusal> {
         let usual = view_factors::Options::default();
-        self.check(usual.transport)?;
+        self.check()?;
         Ok(view_factors::Options {
             subdivide: self.subdivide.unwrap_or_default().0,
             accuracy: self.accuracy(),
@@ -140,8 +132,8 @@ impl TransferRequest {
 #[serde(default)]
 #[cfg_attr(feature = "clap", derive(clap::Args))]
 pub struct HeatRequest {
-    /// Degree of the polynomials on each element; 0 takes all fluxes as even over it, as thermal networks do
-    /// [default: 3]
+    /// Degree of the polynomials on each element; 0 takes all fluxes as even over it, as thermal networks do, and as
+    /// is done where rays carry the pairs [default: 3]
     #[cfg_attr(feature = "clap", arg(long, value_name = "N"))]
     pub order: Option<ranges::Degree>,
 
@@ -187,7 +179,7 @@ impl HeatRequest {
         ranks: &Ranks,
     ) -> Result<HeatOptions, Refusal> {
         let usual = HeatOptions::default().options;
-        transfers.check(usual.transport)?;
+        transfers.check()?;
         let Accuracy { eps, shadow_eps } = transfers.accuracy_or(usual.eps);
         let options = Options {
             order: self.order(),

@@ -102,10 +102,15 @@ fn a_kept_oven_tells_what_it_tells_alone_with_the_same_errors() {
     }
 }
 
+/// Even fluxes on whole surfaces, which tell too little of near plates.
+fn even_on_whole_surfaces() -> Options {
+    Options { order: 0, subdivide: Some(1), ..HeatOptions::default().options }
+}
+
 #[test]
 fn a_check_of_one_balance_makes_the_errors_of_others_as_many_times_larger() {
     let plates = typed(NEAR_PLATES);
-    let options = Options { order: 0, ..HeatOptions::default().options };
+    let options = even_on_whole_surfaces();
     let (mut model, mut first) =
         HeatModel::of(&plates, &options, &Work::alone()).unwrap_or_else(|error| panic!("{error}"));
     let before = first.surfaces.clone();
@@ -129,7 +134,7 @@ fn a_check_of_one_balance_makes_the_errors_of_others_as_many_times_larger() {
 #[test]
 fn a_sweep_is_checked_where_most_flows() {
     let plates = typed(NEAR_PLATES);
-    let options = Options { order: 0, ..HeatOptions::default().options };
+    let options = even_on_whole_surfaces();
     let check = CheckRequest { audit: "0.5".parse().ok() };
     for (text, expected) in [
         ("foil.temperature=293.15..143/3", 2),

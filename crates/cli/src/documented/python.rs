@@ -152,7 +152,7 @@ fn classes() -> Vec<Class> {
         Class {
             name: "HeatMethod",
             base: "Transfers",
-            about: "How a balance of heat is computed: the options of `Transfers`, whose `eps` is then 1e-4 and `transport` \"exact\", and these.",
+            about: "How a balance of heat is computed: the options of `Transfers`, whose `eps` is then 1e-4, and these.",
             options: together([of::<HeatRequest>(&[], ""), vec![flag("conductances", conductances)]]),
         },
     ]

@@ -37,7 +37,7 @@ const LOOKED_AT: usize = 2_000;
 impl TransportChoice {
     /// The carrier of the pairs of `scene` by these options, with so much time `left` if that is limited; `visibility`
     /// is asked for where the price of the pairs decides.
-    pub(crate) fn of<'a>(
+    pub fn of<'a>(
         scene: &Scene,
         options: &Options,
         left: Option<Duration>,

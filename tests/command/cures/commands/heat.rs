@@ -104,12 +104,9 @@ pub(super) const ROWS: &[Typed] = &[
         ],
     },
     Typed {
-        bad: "heat cool.toml --rays 1000",
-        cured: "heat cool.toml --rays 1000 --transport sampled",
-        told: &[
-            "--rays does nothing without --transport sampled",
-            "help: add --transport sampled, or leave --rays out",
-        ],
+        bad: "heat cool.toml --rays 1000 --transport exact",
+        cured: "heat cool.toml --rays 1000",
+        told: &["--rays does not go with --transport exact", "help: leave"],
     },
     Typed { bad: "heat warm.toml --memory 1k", cured: "heat warm.toml", told: &["not enough memory"] },
 ];
