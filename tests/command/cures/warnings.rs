@@ -160,22 +160,22 @@ quad = { vertices = [[0, 0, 3.5], [1, 0, 3.5], [1, 1, 3.5], [0, 1, 3.5]] }
         bad: r#"[[surfaces]]
 name = "south"
 material = "white"
-quad = { vertices = [[0, 0, 3.5], [1, 0, 3.5], [1, 0.5, 4], [0, 0.5, 4]] }
+quad = { vertices = [[0, 0, 3.5], [1, 0, 3.5], [1, 0.5, 3.5], [0, 0.5, 3.5]] }
 [[surfaces]]
 name = "north"
 material = "white"
-quad = { vertices = [[0, 0.5, 4], [1, 0.5, 4], [1, 1, 3.5], [0, 1, 3.5]] }
+quad = { vertices = [[0, 0.5, 3.5], [1, 0.5, 3.5], [1, 1, 3.5], [0, 1, 3.5]] }
 "#,
         cured: r#"[[surfaces]]
 name = "south"
 material = "white"
 flip = true
-quad = { vertices = [[0, 0, 3.5], [1, 0, 3.5], [1, 0.5, 4], [0, 0.5, 4]] }
+quad = { vertices = [[0, 0, 3.5], [1, 0, 3.5], [1, 0.5, 3.5], [0, 0.5, 3.5]] }
 [[surfaces]]
 name = "north"
 material = "white"
 flip = true
-quad = { vertices = [[0, 0.5, 4], [1, 0.5, 4], [1, 1, 3.5], [0, 1, 3.5]] }
+quad = { vertices = [[0, 0.5, 3.5], [1, 0.5, 3.5], [1, 1, 3.5], [0, 1, 3.5]] }
 "#,
         told: &[
             "faces no other front, it neither lights nor is lit: if it is a wall of a room, flip = true turns it and those that it meets over",
