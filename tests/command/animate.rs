@@ -276,6 +276,19 @@ fn an_animated_png_holds_all_frames_and_their_time() {
     }
 }
 
+/// Advice names the file that was typed, not the text that was made of it, and each command of it runs.
+#[test]
+fn a_still_scene_of_another_program_is_advised_by_its_file() {
+    let spheres = "void glow g 0 0 4 1 1 1 0\ng sphere lamp 0 0 4 5 0 0 1\nvoid plastic w 0 0 5 .5 .5 .5 0 0\n\
+                   w sphere s 0 0 4 0 0 0 1\n";
+    let folder = folder(&[("em.rad", spheres)]);
+    let cure = "help: make it a scene, radiosity convert em.rad moving.toml, and add frames = 50 and [[motion]] to that, \
+                docs/scene.md, or take one picture: radiosity render em.rad";
+    refused(folder.path(), &["animate", "em.rad"], &["nothing moves", cure]);
+    done(folder.path(), &["convert", "em.rad", "moving.toml"]);
+    done(folder.path(), &["render", "em.rad", "-o", "em.png", "--size", "8x8"]);
+}
+
 #[test]
 fn what_cannot_be_animated_is_refused_with_a_cure() {
     let folder = folder(&[("room.toml", ROOM), ("points.csv", POINTS)]);

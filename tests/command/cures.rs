@@ -220,6 +220,30 @@ fn what_is_right_is_not_to_be_turned_over() {
     }
 }
 
+/// Of a house on a ground, open below, no roof is to be turned over, though it faces nothing.
+#[test]
+fn a_house_open_below_is_right() {
+    let quad = |name: &str, corners: &str| {
+        format!(
+            "[[surfaces]]\nname = \"{name}\"\nmaterial = \"white\"\nquad = {{ vertices = [{corners}] }}\n"
+        )
+    };
+    let walls = [
+        ("ground", "[-9,-9,0],[9,-9,0],[9,9,0],[-9,9,0]"),
+        ("roof", "[0,0,3],[1,0,3],[1,1,3],[0,1,3]"),
+        ("south", "[0,0,0],[1,0,0],[1,0,3],[0,0,3]"),
+        ("east", "[1,0,0],[1,1,0],[1,1,3],[1,0,3]"),
+        ("north", "[1,1,0],[0,1,0],[0,1,3],[1,1,3]"),
+        ("west", "[0,1,0],[0,0,0],[0,0,3],[0,1,3]"),
+    ];
+    let parts: String = walls.iter().map(|(name, corners)| quad(name, corners)).collect();
+    let lamp = "[[luminaires]]\nposition = [0.5, 0.5, 9]\npoint = {}\nflux = 100\n";
+    let scene = format!("bands = [\"grey\"]\n[materials.white]\nreflectance = 0.5\n{lamp}{parts}");
+    let folder = folder(&[("house.toml", scene)]);
+    let [found, _] = program::done(folder.path(), &["check", "house.toml"]);
+    assert!(!found.contains("flip"), "{found}");
+}
+
 /// A lone point in a solid, where light is rounding, is warned of.
 #[test]
 fn a_lone_point_in_a_solid_is_warned_of() {

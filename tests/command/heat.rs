@@ -34,6 +34,20 @@ fn the_oven_is_in_balance_in_every_format() {
     assert_eq!(own["flow"].as_f64(), Some(flows[6]));
 }
 
+/// Where nothing flows, errors that are parts of it tell nothing.
+#[test]
+fn no_relative_error_is_told_of_flows_of_0() {
+    let room = "bands = [\"grey\"]\n[materials.m]\nemissivity = 0.5\ntemperature = 300\n[[surfaces]]\nname = \"room\"\n\
+                material = \"m\"\nflip = true\nbox = { origin = [0, 0, 0], size = [1, 1, 1] }\n";
+    let folder = radiosity_test_support::folders::folder(&[("room.toml", room)]);
+    let [_, told] = heat(folder.path(), &["room.toml", "-o", "room.json"]);
+    assert!(told.contains("all are 0 as far as walks tell"), "{told}");
+    let json: Value = serde_json::from_slice(&fs::read(folder.path().join("room.json")).unwrap()).unwrap();
+    for key in ["error", "error_sd", "visible", "own_error"] {
+        assert!(json[key].as_f64().is_none_or(|error| error < 1.0), "{key}: {}", json[key]);
+    }
+}
+
 #[test]
 fn every_solver_finds_the_same_heat() {
     let folder = tempfile::tempdir().unwrap();

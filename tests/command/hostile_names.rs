@@ -7,7 +7,7 @@ use std::path::Path;
 use radiosity_test_support::folders::folder;
 use serde_json::Value;
 
-use crate::program::done;
+use crate::program::{done, radiosity};
 
 /// A name; units have 16 characters at the most.
 const NAME: &str = "</script><script>alert(1)</script>|`<&>\"'-->{{script}}";
@@ -109,4 +109,47 @@ fn grids_and_textures_keep_names_whole() {
         (&NAME.into(), &UNIT.into())
     );
     assert_eq!(tree["scenes"][0]["extras"]["bands"][0], NAME);
+}
+
+/// Names of other programs that command a terminal, or forge lines, are escaped wherever they are shown; letters and
+/// quotes stay.
+#[test]
+fn names_of_other_programs_command_no_terminal() {
+    let escape = '\u{1b}';
+    let obj = format!("o Tür{escape}[2J 'é'\nusemtl a{escape}b\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    let gltf = r#"{"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"materials":[{"name":"m\u001b[1m"}],
+        "nodes":[{"mesh":0,"name":"a\nwarning: b\u001b[2J"}],
+        "meshes":[{"primitives":[{"attributes":{"POSITION":0},"material":0}]}],"buffers":[{"uri":"a.bin","byteLength":36}],
+        "bufferViews":[{"buffer":0,"byteLength":36}],
+        "accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[1,1,0]}]}"#;
+    let corners = [0.0f32, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0].map(f32::to_le_bytes).concat();
+    let parts = [("a.obj", obj.into_bytes()), ("a.gltf", gltf.as_bytes().to_vec()), ("a.bin", corners)];
+    let folder = folder(&parts);
+    for (args, shown) in [
+        (&["check", "a.obj"][..], r"Tür\u{1b}[2J 'é'"),
+        (&["check", "a.gltf"], r"a\nwarning: b\u{1b}[2J"),
+        (&["view-factors", "a.gltf", "--format", "csv"], r"a\nwarning: b\u{1b}[2J"),
+        (&["view-factors", "a.obj", "--pairs", "Tür,b"], r"Tür\u{1b}[2J 'é'"),
+        (&["heat", "a.gltf"], r"a\\nwarning: b\\u{1b}[2J"),
+    ] {
+        let output = radiosity(folder.path(), args);
+        let told = String::from_utf8_lossy(&[output.stdout, output.stderr].concat()).into_owned();
+        assert!(told.contains(shown), "{args:?}: {told}");
+        let forged = told.lines().any(|line| line.starts_with("warning: b"));
+        assert!(!told.contains(escape) && !forged, "{args:?}: {told:?}");
+    }
+}
+
+/// Paths command no terminal either.
+#[test]
+fn paths_command_no_terminal() {
+    let folder = folder(&[("a\u{1b}[2J.toml", "frames = 1\u{1b}\n")]);
+    for args in [&["check", "a\u{1b}[2J.toml"], &["check", "none\u{1b}[2J.toml"]] {
+        let output = radiosity(folder.path(), args);
+        let told = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert!(
+            !output.status.success() && told.contains(r"\u{1b}[2J.toml") && !told.contains('\u{1b}'),
+            "{told:?}"
+        );
+    }
 }

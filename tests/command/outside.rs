@@ -220,6 +220,31 @@ fn lists_hold_what_stands_in_the_folder_alone() {
     }
 }
 
+/// Surfaces that stand outside are not named where heat lacks what they do not state.
+#[test]
+fn heat_names_no_surface_of_files_outside() {
+    let lib = |heat: &str| {
+        format!(
+            "[materials.white]\nreflectance = 0.5\nemissivity = 0.5\n[[surfaces]]\nname = \"{SECRET}\"\nmaterial = \"white\"\n\
+             {heat}\nparallelogram = {{ origin = [0, 0, 2], edge1 = [0, 1, 0], edge2 = [1, 0, 0] }}\n"
+        )
+    };
+    let scene = format!("include = \"../lib/a.toml\"\n{FLOOR}name = \"floor\"\ntemperature = 300\n");
+    for (scene, heat, cause) in [
+        (scene.clone(), "", "neither a temperature nor a flux of heat is given for \"…\""),
+        (scene.replace("temperature = 300", ""), "temperature = 300", "is given for \"floor\""),
+        (
+            scene,
+            "heat_flux = -1e6",
+            "more heat is drawn than arrives: no temperature is low enough for \"…\"",
+        ),
+    ] {
+        let house = house("a.toml", &scene, "../lib/a.toml", lib(heat).as_bytes());
+        let told = told(&house.path().join("room"), &["heat", "a.toml"]);
+        assert!(told.contains(cause) && !told.contains(SECRET), "{told}");
+    }
+}
+
 #[test]
 fn reports_list_the_files_outside() {
     let white = "[materials.white]\nreflectance = 0.5\nemission = 1\n";

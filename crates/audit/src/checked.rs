@@ -24,7 +24,7 @@
 use std::fmt;
 
 use radiosity_work::digits::significant;
-use serde::Serialize;
+use serde::{Serialize, Serializer};
 
 use crate::verdict::{Judged, Verdict};
 
@@ -38,12 +38,16 @@ const NAMED: usize = 5;
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Checked {
     /// Relative error in the L2 mean; 0 where none was seen.
+    #[serde(serialize_with = "relative")]
     pub error: f64,
     /// Its standard error.
+    #[serde(serialize_with = "relative")]
     pub error_sd: f64,
     /// The least relative error that would have been seen.
+    #[serde(serialize_with = "relative")]
     pub visible: f64,
     /// Relative error in the L2 mean by the method's own estimates.
+    #[serde(serialize_with = "relative")]
     pub own_error: f64,
     /// κ, the factor that these are multiplied by.
     pub error_factor: f64,
@@ -67,6 +71,11 @@ pub struct Checked {
     /// Differences of the readings that are off, by their numbers.
     #[serde(skip)]
     off: Vec<(usize, f64)>,
+}
+
+/// Writes a relative error; none where it is of nothing but rounding.
+fn relative<S: Serializer>(error: &f64, to: S) -> Result<S::Ok, S::Error> {
+    if *error > NOTHING { to.serialize_none() } else { to.serialize_f64(*error) }
 }
 
 /// The readings that a referee looked at, and the largest differences.

@@ -90,7 +90,7 @@ impl HeatReferee {
         let mean_level = mean_level(&rays, &roles);
         let without_level: BTreeSet<usize> = floating(&rays, &roles).into_iter().collect();
         let is_given = |surface: &&usize| **surface < given && !roles.is_adiabatic(**surface);
-        let name = |surface: &usize| scene.surfaces[*surface].name.clone();
+        let name = |surface: &usize| scene.shown_name(*surface).to_owned();
         let surfaces: Vec<String> = without_level.iter().filter(is_given).map(name).collect();
         if !surfaces.is_empty() {
             return Err(HeatFault::NoLevel { surfaces });

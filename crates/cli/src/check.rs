@@ -15,6 +15,7 @@ use radiosity_visibility::inspection::{
     Fronts, Inspection, NearPoint, Passage, Shell, SurfaceContact, Warning,
 };
 use radiosity_work::listed::{LONG, listed};
+use radiosity_work::printable::{printable, printable_lines};
 use radiosity_work::ranks::Ranks;
 use serde_json::{Value, json};
 
@@ -45,7 +46,7 @@ pub(crate) enum Format {
 pub(crate) fn run(args: &CheckArgs, scene: &Scene, ranks: &Ranks) -> Result<(), CliError> {
     let inspection = Inspection::of(scene);
     let text = match args.format {
-        Format::Text => lines(scene, &inspection).join("\n") + "\n",
+        Format::Text => printable_lines(&(lines(scene, &inspection).join("\n") + "\n")).into_owned(),
         Format::Json => format!("{:#}\n", as_json(scene, &inspection)),
     };
     console::print(text.as_bytes(), ranks)?;
@@ -103,7 +104,7 @@ fn lines_on_surfaces(scene: &Scene, inspection: &Inspection) -> Vec<String> {
     let area: f64 = inspection.areas.iter().sum();
     let emitters = surfaces.iter().filter(|surface| surface.material.emits()).count();
     let mut lines = vec![
-        format!("{}: {}", scene.origin, scene.title.as_deref().unwrap_or("(no title)")),
+        format!("{}: {}", scene.origin, printable(scene.title.as_deref().unwrap_or("(no title)"))),
         format!("bands: {}; unit: {}", scene.bands.join(", "), scene.unit),
         format!("surfaces: {}, of which {emitters} emit; total area {area:.6}\n", surfaces.len()),
     ];

@@ -9,6 +9,7 @@ use std::env::var;
 use std::io::{Write, stderr};
 use std::process::ExitCode;
 
+use radiosity_work::printable::printable_lines;
 use radiosity_work::ranks::Ranks;
 #[cfg(feature = "mpi")]
 use radiosity_work::ranks::failure::Failure;
@@ -45,7 +46,7 @@ fn tell(error: &CliError) {
     match error {
         CliError::Typed(error) => drop(error.print()),
         // A closed stderr is no error: nobody would see a message.
-        error => drop(stderr().write_all(error.explain().as_bytes())),
+        error => drop(stderr().write_all(printable_lines(&error.explain()).as_bytes())),
     }
 }
 
@@ -68,7 +69,7 @@ fn among_others(_number: &str) -> ExitCode {
             code => Err(Failure { code, message }),
         }
     };
-    world.run(work, |message| drop(stderr().write_all(message.as_bytes())))
+    world.run(work, |message| drop(stderr().write_all(printable_lines(message).as_bytes())))
 }
 
 /// Refuses ranks that were started to do different things: they would wait for each other.

@@ -12,7 +12,7 @@ use radiosity_photometry::note_text::NoteText;
 use radiosity_photometry::text::short;
 
 use crate::colour::settle;
-use crate::face_normals::{FaceNormals, OPPOSED};
+use crate::face_normals::FaceNormals;
 use crate::model::{Mantle, Material, Model, Shape, Sides, Surface};
 use crate::names::UniqueNames;
 use crate::opposed_faces::OpposedFaces;
@@ -77,11 +77,10 @@ impl ModelBuilder {
 
     /// Notes normals at the vertices of a face in a line, which has these sides, that are not those of the face.
     pub(crate) fn note_normals(&mut self, normals: &FaceNormals, sides: Sides, line: usize) {
-        match normals.remark(sides) {
-            None => {}
-            Some(OPPOSED) => self.opposed.add(normals.corners, self.note_of(OPPOSED, line)),
-            Some(remark) => self.note(remark, line),
-        }
+        let Self { opposed, file, model, .. } = self;
+        let place = Some(FilePlace::Line(line));
+        let note = |text: &'static str| Note { text: text.into(), file: file.clone(), place, count: 1 };
+        opposed.note_normals(normals, sides, note, &mut model.notes);
     }
 
     /// Puts what follows into this included file, or into the main one.

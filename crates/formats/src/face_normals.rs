@@ -5,11 +5,26 @@ use radiosity_geom::area_vector;
 
 use crate::model::Sides;
 
-/// Note on normals of vertices that are not those of the faces there.
-pub(crate) const ROUNDED: &str = "normals of vertices are left out: faces are flat";
+/// Remark on normals of vertices that are left out.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Remark {
+    /// They are not those of the faces there.
+    Rounded,
+    /// They point to the backs of the faces there.
+    Opposed,
+}
 
-/// Note on normals of vertices that point to the backs of the faces there.
-pub(crate) const OPPOSED: &str = "normals of vertices that point to the back of their face are left out: the order of corners tells the front";
+impl Remark {
+    /// The text of a note.
+    pub(crate) const fn text(self) -> &'static str {
+        match self {
+            Self::Rounded => "normals of vertices are left out: faces are flat",
+            Self::Opposed => {
+                "normals of vertices that point to the back of their face are left out: the order of corners tells the front"
+            }
+        }
+    }
+}
 
 /// Sine of the angle between the normal of a vertex and that of a face from which on they differ. Chosen: half a
 /// degree, beyond what normals written with two digits err by.
@@ -29,13 +44,13 @@ pub(crate) struct FaceNormals<'a> {
 impl FaceNormals<'_> {
     /// Note on normals that are not those of the face: light that is interpolated between them makes flat faces look
     /// round, and where they point to the back of a face of one side the front is another one.
-    pub(crate) fn remark(&self, sides: Sides) -> Option<&'static str> {
+    pub(crate) fn remark(&self, sides: Sides) -> Option<Remark> {
         let own = area_vector(self.corners).try_normalize()?;
         let is_opposed = |normal: &DVec3| sides != Sides::Both && normal.dot(own) < 0.0;
         let stated = self.normals.iter().filter_map(|normal| normal.try_normalize());
         let mut others = stated.filter(|normal| is_bent(*normal, own) || is_opposed(normal));
         let first = others.next()?;
         let are_opposed = is_opposed(&first) && others.all(|normal| is_opposed(&normal));
-        Some(if are_opposed { OPPOSED } else { ROUNDED })
+        Some(if are_opposed { Remark::Opposed } else { Remark::Rounded })
     }
 }

@@ -19,7 +19,7 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 
 use radiosity_photometry::error::{Refusal, refuse};
-use radiosity_work::listed::{SPELT, listed};
+use radiosity_photometry::note_text::NoteText;
 use serde::Deserialize;
 use strsim::damerau_levenshtein;
 use toml::Spanned;
@@ -73,12 +73,17 @@ impl Values {
     }
 }
 
-/// Puts the materials of `side` in place of those of the model. Returns what was done, in lines.
+/// Puts the materials of `side` in place of those of the model. Returns what was done, in lines. Names of the model in
+/// cures are `shown` so.
 ///
 /// # Errors
 /// Text that is no TOML or has other keys; materials and surfaces that the model does not have; numbers out
 /// of range, and lists whose length is not that of the bands.
-pub fn apply(side: &SideFile, model: &mut Model) -> Result<Vec<String>, Refusal> {
+pub fn apply(
+    side: &SideFile,
+    model: &mut Model,
+    shown: &dyn Fn(&NoteText) -> String,
+) -> Result<Vec<String>, Refusal> {
     let sheet: Sheet = toml::from_str(&side.text).map_err(|error| {
         let fault =
             Refusal::new(error.message().trim(), "write such as [materials.white] with reflectance = 0.8");
@@ -86,7 +91,7 @@ pub fn apply(side: &SideFile, model: &mut Model) -> Result<Vec<String>, Refusal>
     })?;
     for (name, entry) in &sheet.materials {
         if !sheet.uses(name.get_ref(), model) {
-            return Err(side.refusal(unknown_material(name.get_ref(), model), name.span()));
+            return Err(side.refusal(unknown_material(name.get_ref(), model, shown), name.span()));
         }
         for values in entry.values() {
             check(values.get_ref(), model).map_err(|fault| side.refusal(fault, values.span()))?;
@@ -98,7 +103,7 @@ pub fn apply(side: &SideFile, model: &mut Model) -> Result<Vec<String>, Refusal>
     sheet.materials.iter().for_each(|(name, entry)| put(name.get_ref(), entry, model));
     let mut lines = vec![format!("{}: materials given: {}", side.name, sheet.names())];
     for (pattern, material) in &sheet.surfaces {
-        let count = assign(pattern.get_ref(), material, model).map_err(|(fault, is_material)| {
+        let count = assign(pattern.get_ref(), material, model, shown).map_err(|(fault, is_material)| {
             side.refusal(fault, if is_material { material.span() } else { pattern.span() })
         })?;
         lines.push(format!(
@@ -193,10 +198,15 @@ fn put(name: &str, entry: &Entry, model: &mut Model) {
 }
 
 /// Gives surfaces a material; returns how many. An error says whether it is one of the material.
-fn assign(pattern: &str, material: &Spanned<String>, model: &mut Model) -> Result<usize, (Refusal, bool)> {
+fn assign(
+    pattern: &str,
+    material: &Spanned<String>,
+    model: &mut Model,
+    shown: &dyn Fn(&NoteText) -> String,
+) -> Result<usize, (Refusal, bool)> {
     let name = material.get_ref();
     let Some(index) = model.materials.iter().position(|own| own.name == *name) else {
-        return Err((unknown_material(name, model), true));
+        return Err((unknown_material(name, model, shown), true));
     };
     let mut count = 0;
     for surface in model.surfaces.iter_mut().filter(|own| is_match(pattern, &own.name)) {
@@ -206,10 +216,8 @@ fn assign(pattern: &str, material: &Spanned<String>, model: &mut Model) -> Resul
     match count {
         0 => {
             let names = model.surfaces.iter().map(|own| own.name.as_str());
-            Err((
-                Refusal::new(format!("no surface is called {pattern:?}"), meant(pattern, names, "surfaces")),
-                false,
-            ))
+            let cure = shown(&meant(pattern, names, "surfaces"));
+            Err((Refusal::new(format!("no surface is called {pattern:?}"), cure), false))
         }
         count => Ok(count),
     }
@@ -228,24 +236,23 @@ fn is_match(pattern: &str, name: &str) -> bool {
     }
 }
 
-fn unknown_material(name: &str, model: &Model) -> Refusal {
+fn unknown_material(name: &str, model: &Model, shown: &dyn Fn(&NoteText) -> String) -> Refusal {
     let names = model.materials.iter().map(|own| own.name.as_str());
-    Refusal::new(format!("the scene has no material {name:?}"), meant(name, names, "materials"))
+    Refusal::new(format!("the scene has no material {name:?}"), shown(&meant(name, names, "materials")))
 }
 
 /// The nearest of the names there are, or a few of them.
-fn meant<'a>(name: &str, known: impl Iterator<Item = &'a str>, what: &str) -> String {
+fn meant<'a>(name: &str, known: impl Iterator<Item = &'a str>, what: &str) -> NoteText {
     let known: Vec<&str> = known.collect();
     let near = known.iter().map(|own| (damerau_levenshtein(name, own), own)).min();
     match near {
-        None => {
-            format!("the file has no {what}: give surfaces one below [surfaces], such as \"*\" = {name:?}")
+        None => NoteText::own(format!(
+            "the file has no {what}: give surfaces one below [surfaces], such as \"*\" = {name:?}"
+        )),
+        Some((edits, near)) if edits <= 1 + name.chars().count() / 3 => {
+            NoteText::from("did you mean ").naming(near).then("?")
         }
-        Some((edits, near)) if edits <= 1 + name.chars().count() / 3 => format!("did you mean {near:?}?"),
-        Some(_) => {
-            let known: Vec<String> = known.iter().map(|own| format!("{own:?}")).collect();
-            format!("{what} of the scene: {}", listed(&known, SPELT))
-        }
+        Some(_) => NoteText::own(format!("{what} of the scene: ")).naming_all(&known),
     }
 }
 
@@ -278,7 +285,11 @@ mod tests {
 
     fn applied(text: &str) -> Result<Model, Refusal> {
         let mut model = model();
-        apply(&SideFile { name: "m.toml".to_owned(), text: text.to_owned() }, &mut model)?;
+        apply(
+            &SideFile { name: "m.toml".to_owned(), text: text.to_owned() },
+            &mut model,
+            &NoteText::to_string,
+        )?;
         Ok(model)
     }
 

@@ -7,7 +7,7 @@ use radiosity_photometry::file_place::FilePlace;
 use radiosity_photometry::note::Note;
 
 use crate::colour;
-use crate::face_normals::{FaceNormals, OPPOSED};
+use crate::face_normals::FaceNormals;
 use crate::merge;
 use crate::model::{Model, Shape, Sides, Surface};
 use crate::names::UniqueNames;
@@ -15,7 +15,7 @@ use crate::opposed_faces::OpposedFaces;
 use crate::tolerances::{GREATEST, MOST_SURFACES, MOST_VERTICES};
 
 /// Note on smoothing of faces that meet at an angle.
-pub(crate) const SMOOTHED: &str = "smoothing groups are left out: faces are flat";
+const SMOOTHED: &str = "smoothing groups are left out: faces are flat";
 
 /// Object, material and sides of faces.
 #[derive(Clone, Copy, Debug)]
@@ -35,6 +35,8 @@ pub struct Mesh {
     pub(crate) model: Model,
     /// Whether the file states normals at vertices.
     pub(crate) has_normals: bool,
+    /// Whether faces are flat for whoever reads them, so that no normal of theirs is lost.
+    is_faceted: bool,
     opposed: OpposedFaces,
     names: Vec<Option<String>>,
     objects: Vec<usize>,
@@ -42,6 +44,11 @@ pub struct Mesh {
 }
 
 impl Mesh {
+    /// A mesh without faces, whose normals at vertices count, or do not.
+    pub(crate) fn faceted(is_faceted: bool) -> Self {
+        Self { is_faceted, ..Self::default() }
+    }
+
     /// A new object and its index; without a name its faces are called by their kinds.
     pub fn object(&mut self, name: Option<&str>) -> usize {
         self.names.push(name.map(str::trim).filter(|name| !name.is_empty()).map(str::to_owned));
@@ -50,10 +57,17 @@ impl Mesh {
 
     /// Notes normals of a face of these sides that are not its own.
     pub(crate) fn note_normals(&mut self, normals: &FaceNormals, sides: Sides, place: FilePlace) {
-        match normals.remark(sides) {
-            None => {}
-            Some(OPPOSED) => self.note_opposed(normals.corners, OPPOSED, place),
-            Some(remark) => self.model.note(remark, Some(place)),
+        if self.is_faceted {
+            return;
+        }
+        let note = |text: &'static str| Note { text: text.into(), file: None, place: Some(place), count: 1 };
+        self.opposed.note_normals(normals, sides, note, &mut self.model.notes);
+    }
+
+    /// Notes that faces at a line are smooth where they meet others.
+    pub(crate) fn note_smoothed(&mut self, line: usize) {
+        if !self.is_faceted {
+            self.model.note(SMOOTHED, Some(FilePlace::Line(line)));
         }
     }
 

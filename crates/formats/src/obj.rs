@@ -60,9 +60,9 @@ pub fn read(file: &str, bytes: &[u8], files: &dyn Files) -> Result<Model, Refusa
     read().map_err(|refusal: Refusal| refusal.in_file(file))
 }
 
-/// The mesh of an OBJ without its materials.
-pub(crate) fn shapes(bytes: &[u8]) -> Result<Mesh, Refusal> {
-    let mut mesh = Mesh::default();
+/// The mesh of an OBJ without its materials, whose faces are flat for whoever reads it, or may be smooth.
+pub(crate) fn shapes(bytes: &[u8], is_faceted: bool) -> Result<Mesh, Refusal> {
+    let mut mesh = Mesh::faceted(is_faceted);
     faces(bytes)?.without_materials().add_to(&mut mesh)?;
     Ok(mesh)
 }

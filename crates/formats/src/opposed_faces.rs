@@ -7,7 +7,8 @@ use glam::DVec3;
 use radiosity_geom::area_vector;
 use radiosity_photometry::note::Note;
 
-use crate::model::Model;
+use crate::face_normals::{FaceNormals, Remark};
+use crate::model::{Model, Sides};
 
 /// Such faces, with the note on each.
 #[derive(Debug, Default)]
@@ -35,6 +36,22 @@ fn corners(outline: &[DVec3]) -> Corners {
 }
 
 impl OpposedFaces {
+    /// Notes stated normals of a face of these sides that are not its own, by the note of a text: at once, or, of those
+    /// of its back, where all faces are known.
+    pub(crate) fn note_normals(
+        &mut self,
+        stated: &FaceNormals,
+        sides: Sides,
+        note: impl FnOnce(&'static str) -> Note,
+        notes: &mut Vec<Note>,
+    ) {
+        match stated.remark(sides) {
+            None => {}
+            Some(remark @ Remark::Opposed) => self.add(stated.corners, note(remark.text())),
+            Some(remark @ Remark::Rounded) => note(remark.text()).put(notes),
+        }
+    }
+
     /// Adds a face with these corners.
     pub(crate) fn add(&mut self, outline: &[DVec3], note: Note) {
         let (corners, normal) = (corners(outline), area_vector(outline));

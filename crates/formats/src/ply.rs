@@ -27,13 +27,13 @@ pub(crate) const FACES: &str = "faces with a list vertex_indices";
 /// A header that is not understood, counts beyond what is there, corners that no vertex is listed for, no
 /// faces.
 pub fn read(file: &str, bytes: &[u8], _files: &dyn Files) -> Result<Model, Refusal> {
-    mesh(bytes).and_then(|mesh| mesh.finish(FACES)).map_err(|refusal| refusal.in_file(file))
+    mesh(bytes, false).and_then(|mesh| mesh.finish(FACES)).map_err(|refusal| refusal.in_file(file))
 }
 
-/// The mesh of a PLY.
-pub(crate) fn mesh(bytes: &[u8]) -> Result<Mesh, Refusal> {
+/// The mesh of a PLY, whose faces are flat for whoever reads it, or may be smooth.
+pub(crate) fn mesh(bytes: &[u8], is_faceted: bool) -> Result<Mesh, Refusal> {
     let header = Header::of(bytes)?;
-    let mut mesh = Mesh::default();
+    let mut mesh = Mesh::faceted(is_faceted);
     mesh.model.bands = vec!["grey".to_owned()];
     let mut properties = header.elements.iter().flat_map(|element| &element.properties);
     mesh.has_normals = properties.any(|property| property.name == "nx");

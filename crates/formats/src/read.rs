@@ -1,5 +1,9 @@
 //! Reads a scene in any of the formats.
 
+use std::borrow::Cow;
+
+use radiosity_work::printable::printable;
+
 use crate::format::Format;
 use crate::model::Model;
 use crate::{gltf, mgf, mitsuba, obj, ply, rad, stl, vs3};
@@ -21,5 +25,17 @@ pub fn read(format: Format, file: &str, bytes: &[u8], files: &dyn Files) -> Resu
         Format::Rad => rad::read,
         Format::Vs3 => vs3::read,
     };
-    reader(file, bytes, files)
+    reader(file, bytes, files).map(printable_names)
+}
+
+/// The model with its title and its names as a terminal prints them.
+fn printable_names(mut model: Model) -> Model {
+    let materials = model.materials.iter_mut().map(|own| &mut own.name);
+    let surfaces = model.surfaces.iter_mut().map(|own| &mut own.name);
+    for name in materials.chain(surfaces).chain(&mut model.title) {
+        if let Cow::Owned(shown) = printable(name) {
+            *name = shown;
+        }
+    }
+    model
 }

@@ -23,6 +23,7 @@ mod reflectances;
 use crate::model::{Model, Shape, Sides};
 use crate::tolerances::GREATEST_OF_REPAIR;
 use radiosity_photometry::error::Refusal;
+use radiosity_photometry::note_text::NoteText;
 pub use record::{Repair, RepairKind, Repairs};
 
 /// Options of the repair, as the user sets them.
@@ -61,15 +62,15 @@ pub fn repair(model: &mut Model, options: &Options) -> Repairs {
     repairs
 }
 
-/// Refuses, for those who want no repairs, a model read from `file` that needed some. None if it needed none:
-/// fronts that were left as they are changed nothing.
-pub fn refusal(repairs: &Repairs, file: &str) -> Option<Refusal> {
+/// Refuses, for those who want no repairs, a model read from `file` that needed some, in words that are `shown` so.
+/// None if it needed none: fronts that were left as they are changed nothing.
+pub fn refusal(repairs: &Repairs, file: &str, shown: impl Fn(&NoteText) -> String) -> Option<Refusal> {
     let made: Vec<&Repair> =
         repairs.list.iter().filter(|repair| repair.kind != RepairKind::DoubtfulFronts).collect();
     let first = made.first()?;
     let cause = match made.len() {
-        1 => first.text.clone(),
-        count => format!("{count} repairs are needed; the first: {}", first.text),
+        1 => shown(&first.text),
+        count => format!("{count} repairs are needed; the first: {}", shown(&first.text)),
     };
     let cure = "mend the file, or let it be repaired".to_owned();
     let file = first.file.as_deref().unwrap_or(file);

@@ -40,7 +40,7 @@ impl Heat {
             self.take(run);
         }
         let unread = surfaces.iter().filter(|surface| !read.contains(surface));
-        let unread: Vec<String> = unread.map(|surface| self.surfaces[*surface].name.clone()).collect();
+        let unread: Vec<String> = unread.map(|surface| scene.shown_name(*surface).to_owned()).collect();
         if unread.is_empty() { Ok(()) } else { Err(HeatFault::NoLevel { surfaces: unread }) }
     }
 

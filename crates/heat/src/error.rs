@@ -85,8 +85,7 @@ impl HeatError {
                     + ", or allow more with "
                     + option("memory")
             }
-            Self::Solve(Failure::Solver { .. }) => words("take another ") + option("solver"),
-            Self::Solve(_) => return None,
+            Self::Solve(failure) => return failure.cure(),
         })
     }
 }

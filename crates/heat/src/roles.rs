@@ -157,8 +157,8 @@ pub(super) fn named(scene: &Scene, holds: impl Fn(usize, &SceneSurface) -> bool)
 /// Name of a surface in messages: the one that was typed.
 pub(super) fn called(scene: &Scene, index: usize) -> String {
     match scene.surfaces[index].other_side.filter(|front| *front < index) {
-        Some(front) => format!("the back of {:?}", scene.surfaces[front].name),
-        None => format!("{:?}", scene.surfaces[index].name),
+        Some(front) => format!("the back of {:?}", scene.shown_name(front)),
+        None => format!("{:?}", scene.shown_name(index)),
     }
 }
 

@@ -96,12 +96,8 @@ impl Import {
         outside: bool,
     ) -> Result<(Model, Imported), SceneError> {
         let shown = |text: &NoteText| if outside { text.without_quotes() } else { text.to_string() };
-        let hidden = |refusal: Refusal| {
-            let cure = shown(&NoteText::with_quotes(refusal.cure));
-            refused(Refusal { cure, ..refusal })
-        };
         let replaced = match &self.materials {
-            Some(side) => materials::apply(side, &mut model).map_err(hidden)?,
+            Some(side) => materials::apply(side, &mut model, &shown).map_err(refused)?,
             None => Vec::new(),
         };
         if let Some(unit) = self.unit {
@@ -113,10 +109,9 @@ impl Import {
         }
         let options = Options { tolerance: self.tolerance, sides: self.sides, fix_fronts: self.fix_fronts };
         let repairs = repair(&mut model, &options);
-        if let Some(refusal) = refusal(&repairs, file).filter(|_| self.strict) {
+        if let Some(refusal) = refusal(&repairs, file, shown).filter(|_| self.strict) {
             let cure = words("mend the file, or let repairs be made by leaving out ") + option("strict");
-            let cause = shown(&NoteText::with_quotes(&refusal.cause));
-            let fault = Fault::new(FaultKind::Foreign, cause, cure);
+            let fault = Fault::new(FaultKind::Foreign, refusal.cause.clone(), cure);
             return Err(SceneError { fault, ..refused(refusal) });
         }
         let notes = std::mem::take(&mut model.notes);
@@ -134,10 +129,7 @@ impl Import {
         let repairs = repairs
             .list
             .iter()
-            .map(|own| {
-                let text = NoteText::with_quotes(&own.text);
-                format!("{}: {}", Located::of(file, own.file.as_ref(), own.place), shown(&text))
-            })
+            .map(|own| format!("{}: {}", Located::of(file, own.file.as_ref(), own.place), shown(&own.text)))
             .collect();
         let imported = Imported { file: file.to_owned(), format: format.name(), replaced, notes, repairs };
         Ok((model, imported))

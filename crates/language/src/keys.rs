@@ -7,7 +7,7 @@
 use radiosity_scene::{
     Fault,
     error::{Located, title},
-    names::check_text,
+    names::check_name,
     place::{At, Span},
     tree::{Node, Value, entry},
 };
@@ -417,7 +417,7 @@ impl<T: KeyTable> KeyOf<Vec<NamedTable<T>>> for TablesByName {
 
     fn take(&self, fields: &GivenFields<'_>, key: &'static str) -> Result<Vec<NamedTable<T>>, Located> {
         let read = |(name, node): &(At<String>, Node)| {
-            check_text(&name.value).map_err(|fault| Located::at(&name.span, fault))?;
+            check_name(&name.value).map_err(|fault| Located::at(&name.span, fault))?;
             let file = T::read(node).map_err(|error| error.within(|| title(self.0, &name.value)))?;
             Ok(NamedTable { name: name.clone(), file })
         };

@@ -2,7 +2,7 @@
 //!
 //! In order: `file_place`, `note`, `error`, `files` (that a scene names), `text` and `numbers` (reading),
 //! `symmetry`, `opening` and `web` (intensities by direction), `ies` and `eulumdat` (the formats) and
-//! `luminaire` (either). Imports no other crate of the workspace.
+//! `luminaire` (either). Imports `work`.
 //!
 //! Photometry of luminaires: luminous intensity by direction, as tables of makers state it.
 //!

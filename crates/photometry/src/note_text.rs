@@ -3,6 +3,8 @@
 use std::fmt;
 use std::ops::{Deref, Range};
 
+use radiosity_work::listed::Between;
+
 /// Stands for what is hidden.
 const HIDDEN: &str = "…";
 
@@ -45,23 +47,21 @@ impl NoteText {
         self
     }
 
-    /// Words in which double quotes stand about what a file says alone, as `{:?}` writes them.
-    pub fn with_quotes(words: impl Into<String>) -> Self {
-        let text = words.into();
-        let (mut quoted, mut start, mut is_escaped) = (Vec::new(), None, false);
-        for (at, sign) in text.char_indices() {
-            match (sign, start) {
-                _ if is_escaped => is_escaped = false,
-                ('\\', Some(_)) => is_escaped = true,
-                ('"', Some(begin)) => {
-                    quoted.push(begin..at + 1);
-                    start = None;
-                }
-                ('"', None) => start = Some(at),
-                _ => {}
-            }
-        }
-        Self { text, quoted }
+    /// The text with a name that a file says behind it, in double quotes.
+    #[must_use]
+    pub fn naming(self, name: impl AsRef<str>) -> Self {
+        self.quoting(format!("{:?}", name.as_ref()))
+    }
+
+    /// The text with names that a file says behind it, a few of many: `"a", "b" and "c"`.
+    #[must_use]
+    pub fn naming_all(self, names: &[impl AsRef<str>]) -> Self {
+        let Between { before, behind } = Between::of(names.len());
+        before
+            .iter()
+            .zip(names)
+            .fold(self, |text, (before, name)| text.then(before).naming(name))
+            .then(behind)
     }
 
     /// All of it.
@@ -106,10 +106,13 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_stands_in_quotes_is_hidden_with_its_quotes() {
-        let text = format!("{:?} lies on {:?}; it was raised", "a \"b\" \\", "c\\");
-        assert_eq!(NoteText::with_quotes(text).without_quotes(), "… lies on …; it was raised");
-        assert_eq!(NoteText::with_quotes("it's 'own'").without_quotes(), "it's 'own'");
+    fn names_are_hidden_with_their_quotes() {
+        let text =
+            NoteText::default().naming("a \"b\" \\").then(" lies on ").naming("c\\").then("; it was raised");
+        assert_eq!(text.without_quotes(), "… lies on …; it was raised");
+        let many = NoteText::from("the ").naming_all(&["a", "b", "c", "d", "e", "f"]).then(" \"own\"");
+        assert_eq!(many.as_str(), r#"the "a", "b", "c", "d" and 2 more "own""#);
+        assert_eq!(many.without_quotes(), r#"the …, …, …, … and 2 more "own""#);
     }
 
     #[test]

@@ -1,5 +1,7 @@
 //! Texts: bytes that must be characters, words that must be numbers.
 
+use radiosity_work::printable::printable;
+
 use crate::error::{Refusal, refuse};
 use crate::file_place::FilePlace;
 
@@ -64,12 +66,12 @@ pub(crate) fn told(value: f64) -> String {
     }
 }
 
-/// `word` as messages quote it: at most forty characters.
+/// `word` as messages quote it: at most forty characters, as a terminal prints them.
 pub fn short(word: &str) -> String {
     const LONGEST: usize = 40;
     match word.char_indices().nth(LONGEST) {
-        Some((end, _)) => format!("{}…", &word[..end]),
-        None => word.to_owned(),
+        Some((end, _)) => format!("{}…", printable(&word[..end])),
+        None => printable(word).into_owned(),
     }
 }
 
@@ -85,6 +87,11 @@ mod tests {
         assert_eq!(decode(b"Stra\xdfe").as_deref(), Ok("Stra\u{fffd}e"));
         assert_eq!(decode_western(b"Stra\xdfe").as_deref(), Ok("Straße"));
         assert_eq!(decode_western("Straße".as_bytes()).as_deref(), Ok("Straße"));
+    }
+
+    #[test]
+    fn quoted_words_command_no_terminal() {
+        assert_eq!(short("é\u{1b}[2J\n"), r"é\u{1b}[2J\n");
     }
 
     #[test]

@@ -100,7 +100,13 @@ impl RowSums {
         let RowSum { surface, sum } = &self.most;
         let message = || {
             let cure = match self.is_shadowless {
-                true => words("leave ") + set("shadows", "off") + " out, which lets light through surfaces",
+                true => {
+                    words("lower ")
+                        + option("eps")
+                        + "; where surfaces stand between others, leave "
+                        + set("shadows", "off")
+                        + " out, which lets light through them"
+                }
                 false => {
                     words("lower ")
                         + option("eps")

@@ -19,7 +19,7 @@ use crate::{
     member_names::MemberNames,
     mover_draft::{MovableThings, MoverDraft, movers},
     named_material::NamedMaterial,
-    names::{UniqueNames, check_text},
+    names::{UniqueNames, check_name},
     sensor_plane::SensorPlane,
     surface_draft::{NamedShape, SurfaceDraft},
     surfaces::{Surfaces, emitting, fitted_surfaces, unused_materials},
@@ -280,7 +280,7 @@ fn check_backs(drafts: &[SurfaceDraft], materials: &[NamedMaterial], bands: usiz
     let mut known: BTreeMap<&str, &Material> = known.collect();
     for Covering { name, material, .. } in drafts.iter().filter_map(|draft| draft.back.as_ref()) {
         let name = name.as_deref().unwrap_or_default();
-        let checked = check_text(name).and_then(|()| material.check(bands));
+        let checked = check_name(name).and_then(|()| material.check(bands));
         let checked = checked.and_then(|()| match known.insert(name, material) {
             Some(other) if other != material => Err(Fault::duplicate_name(name, None)),
             _ => Ok(()),

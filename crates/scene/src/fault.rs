@@ -328,6 +328,12 @@ impl Fault {
         Self::new(FaultKind::TooMany, cause, "make fewer levels")
     }
 
+    /// A name with an end of a line or a command to a terminal.
+    pub(crate) fn unprintable(name: &str) -> Self {
+        let cause = format!("the name {name:?} holds a character that cannot be printed");
+        Self::new(FaultKind::BadText, cause, "write it in letters, digits and signs, on one line")
+    }
+
     /// The vector of a key without a length, or along the wrong line.
     pub fn no_direction(key: &str, cure: &str) -> Self {
         Self::new(FaultKind::NoDirection, format!("the vector `{key}` gives no direction"), cure)

@@ -147,6 +147,9 @@ pub struct Scene {
     pub source: Option<Source>,
 }
 
+/// Stands for a name that messages do not show.
+const HIDDEN: &str = "…";
+
 impl Scene {
     /// A scene without parts, whose `middle` is zero.
     pub fn empty(name: String, bands: Vec<String>, unit: String) -> Self {
@@ -173,6 +176,13 @@ impl Scene {
     /// Record of the import from a file of another program; none for other scenes.
     pub fn imported(&self) -> Option<&Imported> {
         self.source.as_ref()?.imported.as_deref()
+    }
+
+    /// Name of a surface in messages: an ellipsis where it stands in files outside the folder of the scene.
+    pub fn shown_name(&self, surface: usize) -> &str {
+        let name = self.surfaces[surface].name.as_str();
+        let may_be_shown = self.source.as_ref().is_none_or(|source| source.may_list(name));
+        if may_be_shown { name } else { HIDDEN }
     }
 
     /// The error for what is asked of the scene and does not fit it.

@@ -18,7 +18,7 @@ use crate::{
     fault::Fault,
     light_group::LightGroup,
     material::{check_count, check_flux},
-    names::check_text,
+    names::check_name,
     place::Place,
     ranges::{check_number, check_range},
 };
@@ -80,7 +80,7 @@ impl Luminaire {
         strength: Strength,
     ) -> Result<Self, Fault> {
         let name = name.into();
-        check_text(&name)?;
+        check_name(&name)?;
         position.to_array().into_iter().try_for_each(check_number)?;
         distribution.check()?;
         let strength = strength.factors(&distribution)?;
@@ -154,7 +154,7 @@ impl Luminaire {
     /// A blank name.
     pub fn in_group(self, name: impl Into<String>) -> Result<Self, Fault> {
         let name = name.into();
-        check_text(&name)?;
+        check_name(&name)?;
         Ok(Self { group: Some(LightGroup::new(name)), ..self })
     }
 

@@ -15,7 +15,7 @@ use crate::{
     light_group::LightGroup,
     material::{Material, check_count, check_flux, check_sheet},
     named_material::NamedMaterial,
-    names::check_text,
+    names::check_name,
     outlook::{KnownOutlooks, Opening},
     place::{Line, Place, Span},
     radiance::Radiance,
@@ -165,7 +165,7 @@ impl SurfaceDraft {
     pub(super) fn checked(self) -> Result<Self, Located> {
         let order = self.order.map_or(Ok(()), check_order);
         let parts = || self.subdivide.into_iter().flatten().try_for_each(check_parts);
-        let group = || self.group.as_deref().map_or(Ok(()), check_text);
+        let group = || self.group.as_deref().map_or(Ok(()), check_name);
         let thermal = || self.thermal.check();
         match order.and_then(|()| parts()).and_then(|()| group()).and_then(|()| thermal()) {
             Ok(()) => Ok(self),

@@ -72,7 +72,7 @@ impl Inspection {
         warnings.extend(gap::gaps(scene, &sheets, &borders, &contacts));
         warnings.extend(front::turned(scene, &sheets, &groups));
         warnings.extend(front::inside_out(scene, &sheets, &shells));
-        warnings.extend(front::blind(scene, &sheets, &shells, &lying));
+        warnings.extend(front::blind(scene, &sheets, &groups, &shells, &lying));
         warnings.extend(before_openings(scene));
         let frames = scene.frames().checked_sub(1).map(|last| [0, last]);
         let passages = frames.map_or_else(Vec::new, |frames| passage::among(scene, &sheets, frames));

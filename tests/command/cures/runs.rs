@@ -130,13 +130,15 @@ pub(super) const ROWS: &[Typed] = &[
         told: &[
             "an element sends",
             "more than it has",
-            "or leave --shadows off out, which lets light through surfaces",
+            "where surfaces stand between others, leave --shadows off out, which lets light through them",
         ],
     },
     Typed {
         bad: "view-factors round.toml --shadows off",
         cured: "view-factors round.toml --audit 0.001",
-        told: &["sends 2.09 % more than it has: leave --shadows off out, which lets light through surfaces"],
+        told: &[
+            "sends 2.09 % more than it has: lower --eps; where surfaces stand between others, leave --shadows off out",
+        ],
     },
     Typed {
         bad: "solve unsettled.toml --shadows mask --subdivide 1 --order 1",

@@ -157,6 +157,32 @@ quad = { vertices = [[0, 0, 3.5], [1, 0, 3.5], [1, 1, 3.5], [0, 1, 3.5]] }
     },
     Row {
         part: MORE,
+        bad: r#"[[surfaces]]
+name = "south"
+material = "white"
+quad = { vertices = [[0, 0, 3.5], [1, 0, 3.5], [1, 0.5, 3.5], [0, 0.5, 3.5]] }
+[[surfaces]]
+name = "north"
+material = "white"
+quad = { vertices = [[0, 0.5, 3.5], [1, 0.5, 3.5], [1, 1, 3.5], [0, 1, 3.5]] }
+"#,
+        cured: r#"[[surfaces]]
+name = "south"
+material = "white"
+flip = true
+quad = { vertices = [[0, 0, 3.5], [1, 0, 3.5], [1, 0.5, 3.5], [0, 0.5, 3.5]] }
+[[surfaces]]
+name = "north"
+material = "white"
+flip = true
+quad = { vertices = [[0, 0.5, 3.5], [1, 0.5, 3.5], [1, 1, 3.5], [0, 1, 3.5]] }
+"#,
+        told: &[
+            "faces no other front, it neither lights nor is lit: if it is a wall of a room, flip = true turns it and those that it meets over",
+        ],
+    },
+    Row {
+        part: MORE,
         bad: r#"[[luminaires]]
 name = "spot"
 position = [0, 0, 3.2]

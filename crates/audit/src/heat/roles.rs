@@ -115,7 +115,7 @@ impl Roles {
 /// The names of the surfaces of which `holds` is true.
 fn named(scene: &Scene, holds: impl Fn(usize, &SceneSurface) -> bool) -> Vec<String> {
     let all = scene.surfaces.iter().enumerate().filter(|(index, surface)| holds(*index, surface));
-    all.map(|(_, surface)| surface.name.clone()).collect()
+    all.map(|(index, _)| scene.shown_name(index).to_owned()).collect()
 }
 
 /// The emissivity that is given, else 1 − ρ where there is a single band and no pattern.

@@ -45,10 +45,7 @@ impl FrameRange {
         if scene.animation.is_none() {
             return Err(CliError::refused(
                 format!("{}: nothing moves in this scene", scene.origin),
-                format!(
-                    "add frames = 50 and [[motion]] to it, docs/scene.md, or take one picture: radiosity render {}",
-                    scene.origin
-                ),
+                still(scene),
             ));
         }
         // Refuses frames that do not exist.
@@ -79,6 +76,20 @@ impl FrameRange {
     /// Number of frames.
     pub(super) fn count(&self) -> usize {
         self.last - self.first + 1
+    }
+}
+
+/// Advice on a scene in which nothing moves: the files that can be typed, not the text that was made of them.
+fn still(scene: &Scene) -> String {
+    let typed = scene.imported().map_or(scene.origin.as_str(), |imported| &imported.file);
+    let typed = if typed == "<stdin>" { "-" } else { typed };
+    let picture = format!("or take one picture: radiosity render {typed}");
+    match scene.imported() {
+        None => format!("add frames = 50 and [[motion]] to it, docs/scene.md, {picture}"),
+        Some(_) => format!(
+            "make it a scene, radiosity convert {typed} moving.toml, and add frames = 50 and [[motion]] to that, \
+             docs/scene.md, {picture}"
+        ),
     }
 }
 

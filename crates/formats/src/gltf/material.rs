@@ -18,6 +18,9 @@ use crate::tolerances::GREATEST;
 /// Reflection of all materials as mirrors that needs no word (section 3.9.2).
 const OF_DIELECTRICS: f64 = 0.04;
 
+/// Note on mirrors whose part of the light a texture tells.
+const TEXTURED_GLOSS: &str = "the part that a specularGlossinessTexture reflects as a mirror does is taken for 0, and all of the diffuse colour is kept";
+
 /// Sides of the surfaces of a material, and notes on what is left out of it, which are told where a surface has it.
 #[derive(Debug)]
 pub(super) struct Finish {
@@ -141,6 +144,7 @@ fn losses(material: &scheme::Material) -> BTreeSet<&'static str> {
         has_textures.then_some("textures are left out"),
         is_transparent.then_some(TRANSPARENCY),
         is_mirror.then_some(SPECULAR),
+        of_gloss.map(|_| TEXTURED_GLOSS),
         is_textured(material).then_some(TEXTURED),
         is_textured_lamp(material).then_some(TEXTURED_EMISSION),
     ];

@@ -9,7 +9,7 @@ use radiosity_photometry::text::{number, short};
 
 use crate::budget::Budget;
 use crate::builder::{Coat, ModelBuilder};
-use crate::face_normals::{FaceNormals, ROUNDED};
+use crate::face_normals::{FaceNormals, Remark};
 use crate::includes::Includes;
 use crate::lines::Lines;
 use crate::mgf::chromaticity::{Chromaticity, MixturePart};
@@ -387,7 +387,7 @@ impl<'a> Reader<'a> {
                 let outline = self.vertices(outline)?;
                 // Normals of a prism are those of its mantle.
                 if outline.iter().any(|vertex| vertex.normal != DVec3::ZERO) {
-                    self.model.note(ROUNDED, line);
+                    self.model.note(Remark::Rounded.text(), line);
                 }
                 return shapes::prism(points(&outline), length);
             }

@@ -23,10 +23,17 @@ pub(super) struct Mesh {
     pub(super) remarks: Vec<NoteText>,
 }
 
-/// The meshes that were read, by their paths.
+/// The meshes that were read.
 pub(super) struct Meshes<'a> {
     files: &'a dyn Files,
-    known: HashMap<String, Rc<Mesh>>,
+    known: HashMap<MeshKey, Rc<Mesh>>,
+}
+
+/// By what a mesh is found: its path, and whether its faces are flat whatever its normals.
+#[derive(PartialEq, Eq, Hash)]
+struct MeshKey {
+    path: String,
+    is_flat: bool,
 }
 
 impl<'a> Meshes<'a> {
@@ -35,16 +42,17 @@ impl<'a> Meshes<'a> {
         Meshes { files, known: HashMap::new() }
     }
 
-    /// The mesh of a shape of type `obj` or `ply`.
+    /// The mesh of a shape of type `obj` or `ply`, of flat faces whatever its normals, or of what these tell.
     ///
     /// # Errors
     /// A file that is not named, cannot be read, or is not of its format.
-    pub(super) fn of(&mut self, shape: &Element) -> Result<Rc<Mesh>, Refusal> {
+    pub(super) fn of(&mut self, shape: &Element, is_flat: bool) -> Result<Rc<Mesh>, Refusal> {
         let Some(path) = shape.string("filename")? else {
             return Err(shape
                 .refusal("the shape names no file", "write <string name=\"filename\" value=\"…\"/> in it"));
         };
-        if let Some(known) = self.known.get(path) {
+        let key = MeshKey { path: path.to_owned(), is_flat };
+        if let Some(known) = self.known.get(&key) {
             return Ok(known.clone());
         }
         let bytes = self.files.bytes(path).map_err(|error| {
@@ -53,15 +61,17 @@ impl<'a> Meshes<'a> {
         })?;
         let read = match shape.kind() {
             // Mitsuba follows no materials.
-            "obj" => obj::shapes(&bytes).and_then(|mesh| Ok((mesh.has_normals, mesh.finish(obj::FACES)?))),
-            _ => ply::mesh(&bytes).and_then(|mesh| Ok((mesh.has_normals, mesh.finish(ply::FACES)?))),
+            "obj" => {
+                obj::shapes(&bytes, is_flat).and_then(|mesh| Ok((mesh.has_normals, mesh.finish(obj::FACES)?)))
+            }
+            _ => ply::mesh(&bytes, is_flat).and_then(|mesh| Ok((mesh.has_normals, mesh.finish(ply::FACES)?))),
         };
         let (has_normals, model) = read.map_err(|refusal| refusal.in_file(path))?;
         // Merging has no place; what has one was left out.
         let remarks = model.notes.iter().filter(|note| note.place.is_some()).map(|note| note.text.clone());
         let faces = model.surfaces.into_iter().map(|surface| surface.shape).collect();
         let mesh = Rc::new(Mesh { faces, has_normals, remarks: remarks.collect() });
-        self.known.insert(path.to_owned(), mesh.clone());
+        self.known.insert(key, mesh.clone());
         Ok(mesh)
     }
 }

@@ -15,8 +15,6 @@ use super::placed;
 use super::transforms;
 use crate::budget::Budget;
 use crate::builder::{Coat, ModelBuilder};
-use crate::face_normals::{OPPOSED, ROUNDED};
-use crate::mesh::SMOOTHED;
 use crate::model::{Model, Shape, Sides};
 use radiosity_photometry::files::Files;
 
@@ -147,12 +145,10 @@ impl<'a, 'b> Shapes<'a, 'b> {
                 placed::sphere(placed, center, radius, is_flipped).map(one).map_err(at)
             }
             _ => {
-                let mesh = self.meshes.of(shape)?;
                 let is_flat = shape.boolean("face_normals")?;
-                let of_normals = [ROUNDED, OPPOSED, SMOOTHED];
-                let is_told = |text: &&NoteText| !(is_flat && of_normals.contains(&text.as_str()));
-                let remarks = mesh.remarks.iter().filter(is_told);
-                remarks
+                let mesh = self.meshes.of(shape, is_flat)?;
+                mesh.remarks
+                    .iter()
                     .for_each(|text| self.remarks.add(NoteText::from("of meshes: ").followed(text), shape));
                 let own = transforms::of(shape, "to_world")?;
                 let has_normals = mesh.has_normals && !is_flat;

@@ -13,7 +13,7 @@ use radiosity_photometry::text::{number, short};
 
 use super::statements::split;
 use crate::face_normals::{FaceNormals, is_bent};
-use crate::mesh::{Coat, Mesh, SMOOTHED};
+use crate::mesh::{Coat, Mesh};
 use crate::model::Sides;
 use crate::tolerances::MOST_VERTICES;
 
@@ -253,7 +253,7 @@ impl Faces {
             let coat = Coat { object: objects[face.object], material: face.material, sides: Sides::Open };
             let corners = corners.map_err(|fault| fault.at(place))?;
             if let Some(line) = self.bent_line(face, face.start..end, &corners, &mut smooth) {
-                mesh.model.note(SMOOTHED, Some(FilePlace::Line(line)));
+                mesh.note_smoothed(line);
             }
             let normals = self.corner_normals[face.start..end].iter().flatten();
             let normals = normals.filter_map(|number| self.normal(*number)).collect();

@@ -7,7 +7,7 @@
 use std::collections::HashSet;
 
 use radiosity_fit::sides::{are_sides_of_one, back_of};
-use radiosity_work::listed::quoted;
+use radiosity_photometry::note_text::NoteText;
 
 use crate::model::{Model, Sides};
 use crate::repair::edit::Edit;
@@ -57,16 +57,21 @@ impl Copies {
             return;
         }
         let names = vec![one.name.clone(), other.name.clone()];
-        let pair = quoted(&names);
+        let pair = NoteText::default().naming_all(&names);
         let is_sheet = !is_alike && self.is_one_sided(model, first) && self.is_one_sided(model, second);
         let back = back_of(&one.name);
         let text = if is_sheet && one.material == other.material {
             self.both[first] = true;
             self.gone[second] = true;
             let [kept, gone] = [&names[0], &names[1]];
-            format!("{pair} are the sides of one sheet; {kept:?} was made two-sided, and {gone:?} removed")
+            pair.then(" are the sides of one sheet; ")
+                .naming(kept)
+                .then(" was made two-sided, and ")
+                .naming(gone)
+                .then(" removed")
         } else if is_sheet && self.names.insert(back.clone()) {
-            let text = format!("{pair} are the sides of one sheet; {:?} is now {back:?}", names[1]);
+            let text =
+                pair.then(" are the sides of one sheet; ").naming(&names[1]).then(" is now ").naming(&back);
             self.is_back[second] = true;
             self.backs.push(NewBack { surface: second, name: back });
             text
@@ -74,7 +79,7 @@ impl Copies {
             let is_second = model.emits(second) && !model.emits(first);
             let gone = if is_second { first } else { second };
             self.gone[gone] = true;
-            format!("{pair} coincide; {:?} was removed", model.surfaces[gone].name)
+            pair.then(" coincide; ").naming(&model.surfaces[gone].name).then(" was removed")
         };
         self.repairs.say(RepairKind::Coincident, names, Some(one), text);
     }

@@ -10,6 +10,7 @@ use std::collections::BTreeMap;
 use glam::DVec3;
 use radiosity_fit::sides::are_sides_of_one;
 use radiosity_geom::layer_order;
+use radiosity_photometry::note_text::NoteText;
 
 use crate::model::{Model, Shape, Sides};
 use crate::repair::edit::Edit;
@@ -31,7 +32,7 @@ pub(super) fn mend(model: &mut Model, repairs: &mut Repairs) {
     let mut edit = Edit::default();
     let mut say = |[sheet, on]: [usize; 2], what: &str| {
         let [surface, other] = [sheet, on].map(|index| &model.surfaces[sheets.list[index].surface]);
-        let text = format!("{:?} lies on {:?}{what}", surface.name, other.name);
+        let text = NoteText::default().naming(&surface.name).then(" lies on ").naming(&other.name).then(what);
         let names = vec![surface.name.clone(), other.name.clone()];
         repairs.say(RepairKind::Overlap, names, Some(surface), text);
     };
@@ -148,7 +149,7 @@ mod tests {
         let mut model = Model { surfaces, ..Model::default() };
         let mut repairs = Repairs::default();
         mend(&mut model, &mut repairs);
-        (model.surfaces, repairs.list.into_iter().map(|repair| repair.text).collect())
+        (model.surfaces, repairs.list.into_iter().map(|repair| repair.text.to_string()).collect())
     }
 
     fn height(surface: &Surface) -> f64 {

@@ -2,6 +2,8 @@
 
 use std::collections::BTreeMap;
 
+use radiosity_photometry::note_text::NoteText;
+
 use crate::model::{Model, Shape, Surface};
 use crate::names::UniqueNames;
 use crate::repair::record::{RepairKind, Repairs};
@@ -19,7 +21,7 @@ struct Change {
 }
 
 /// Kind of a fault and text of its repair, by the name of the surface and the names of those in its place.
-type Text = dyn Fn(&str, &[String]) -> (RepairKind, String);
+type Text = dyn Fn(&str, &[String]) -> (RepairKind, NoteText);
 
 /// Telling of a change: its text, and other surfaces that have the fault too.
 pub(super) struct Told {

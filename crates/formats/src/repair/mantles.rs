@@ -4,6 +4,7 @@
 
 use glam::DVec3;
 use radiosity_geom::{Aabb, Bvh};
+use radiosity_photometry::note_text::NoteText;
 
 use crate::model::{self, Model, Shape, Surface};
 use crate::repair::record::{RepairKind, Repairs};
@@ -32,7 +33,8 @@ pub(super) fn mend(model: &mut Model, repairs: &mut Repairs) {
             };
             steps.push(steps[under] + RAISED);
             let names = [*index, line[under].0].map(|surface| model.surfaces[surface].name.clone());
-            let text = format!("{:?} lies partly in {:?}; it was raised slightly", names[0], names[1]);
+            let text = NoteText::default().naming(&names[0]).then(" lies partly in ").naming(&names[1]);
+            let text = text.then("; it was raised slightly");
             repairs.say(RepairKind::Overlap, names.to_vec(), Some(&model.surfaces[*index]), text);
             raise(&mut model.surfaces[*index].shape, steps[own]);
         }

@@ -7,7 +7,7 @@
 use radiosity_fit::overlay::{Part, crosses_itself, enclosed, has_seam, without};
 use radiosity_fit::plane::Plane;
 use radiosity_geom::{PlanarRegion, ShapeError};
-use radiosity_work::listed::quoted;
+use radiosity_photometry::note_text::NoteText;
 
 use crate::model::{Model, Shape};
 use crate::repair::edit::{Edit, Told};
@@ -21,14 +21,17 @@ pub(super) fn mend(model: &mut Model, asked: Option<f64>, repairs: &mut Repairs)
         let Some((parts, cause)) = faulty(outline, holes, asked) else { continue };
         let count = parts.iter().map(|part| part.holes.len()).sum::<usize>();
         let text = move |name: &str, names: &[String]| {
-            let made = match names {
-                [] => "it encloses no area and was removed".to_owned(),
-                [_] if count > 0 => format!("it was made an outline with {}", counted(count, "hole")),
-                [_] => "it was led around what it encloses".to_owned(),
-                names => format!("it was cut into {}", quoted(names)),
+            let text = NoteText::from("the outline of ").naming(name).then(" ").then(cause).then("; ");
+            let text = match names {
+                [] => text.then("it encloses no area and was removed"),
+                [_] if count > 0 => {
+                    text.then(format!("it was made an outline with {}", counted(count, "hole")))
+                }
+                [_] => text.then("it was led around what it encloses"),
+                names => text.then("it was cut into ").naming_all(names),
             };
             let kind = if names.is_empty() { RepairKind::Sliver } else { RepairKind::Outline };
-            (kind, format!("the outline of {name:?} {cause}; {made}"))
+            (kind, text)
         };
         let shapes = parts.into_iter().map(shape).collect();
         edit.tell(index, shapes, Told { others: Vec::new(), text: Box::new(text) });

@@ -10,7 +10,7 @@ use std::collections::BTreeMap;
 use radiosity_fit::overlay::{Part, enclosed, without};
 use radiosity_fit::sides::are_sides_of_one;
 use radiosity_geom::{SAME_AREA, layer_order};
-use radiosity_work::listed::quoted;
+use radiosity_photometry::note_text::NoteText;
 
 use crate::model::{Model, Shape, Sides};
 use crate::repair::edit::{Edit, Told};
@@ -60,14 +60,17 @@ fn round(
         let name_of = |other: &usize| model.surfaces[sheets.list[*other].surface].name.clone();
         let others: Vec<String> = by.iter().map(name_of).collect();
         let verb = if others.len() == 1 { "shares" } else { "share" };
-        let by_others = format!("{} {verb} a part of the place of", quoted(&others));
+        let by_others =
+            NoteText::default().naming_all(&others).then(format!(" {verb} a part of the place of "));
         let text = move |name: &str, names: &[String]| {
-            let made = match names {
-                [] => format!("nothing of {name:?} was left"),
-                [_] => format!("that part of {name:?} was cut out"),
-                names => format!("that part of {name:?} was cut out, which left {}", quoted(names)),
+            let text = by_others.clone().naming(name);
+            let cut = |text: NoteText| text.then("; that part of ").naming(name).then(" was cut out");
+            let text = match names {
+                [] => text.then("; nothing of ").naming(name).then(" was left"),
+                [_] => cut(text),
+                names => cut(text).then(", which left ").naming_all(names),
             };
-            (RepairKind::Overlap, format!("{by_others} {name:?}; {made}"))
+            (RepairKind::Overlap, text)
         };
         let shapes = rest(sheet, by.iter().map(|other| &sheets.list[*other]), asked);
         edit.tell(sheet.surface, shapes, Told { others, text: Box::new(text) });

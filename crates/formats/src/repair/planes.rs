@@ -7,7 +7,7 @@ use glam::DVec3;
 use radiosity_fit::outline::is_warped;
 use radiosity_fit::plane::Plane;
 use radiosity_geom::{PlanarRegion, ShapeError};
-use radiosity_work::listed::quoted;
+use radiosity_photometry::note_text::NoteText;
 
 use crate::model::{Model, Shape};
 use crate::repair::edit::{Edit, Told};
@@ -25,11 +25,16 @@ pub(super) fn mend(model: &mut Model, repairs: &mut Repairs) {
             _ => triangles(outline, holes),
         };
         let text = move |name: &str, names: &[String]| {
-            let made = match names {
-                [_] => "it was made a bilinear patch".to_owned(),
-                names => format!("it was cut into {}, {}", counted(names.len(), "triangle"), quoted(names)),
+            let text =
+                NoteText::default().naming(name).then(format!(" is off its plane by {deviation:.1e}; "));
+            let text = match names {
+                [_] => text.then("it was made a bilinear patch"),
+                names => {
+                    let count = counted(names.len(), "triangle");
+                    text.then(format!("it was cut into {count}, ")).naming_all(names)
+                }
             };
-            (RepairKind::Plane, format!("{name:?} is off its plane by {deviation:.1e}; {made}"))
+            (RepairKind::Plane, text)
         };
         if !shapes.is_empty() {
             edit.tell(index, shapes, Told { others: Vec::new(), text: Box::new(text) });

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use radiosity_photometry::file_place::FilePlace;
+use radiosity_photometry::note_text::NoteText;
 
 use crate::model::Surface;
 
@@ -37,7 +38,7 @@ pub struct Repair {
     /// Names of the surfaces that had it, as the file names them.
     pub surfaces: Vec<String>,
     /// The fault and its repair, without a full stop: `"desk-3" and "desk-7" coincide; "desk-7" was removed`.
-    pub text: String,
+    pub text: NoteText,
     /// The included file of the first of the surfaces; none for the file that was read.
     pub file: Option<Arc<str>>,
     /// Place in the file of the first of the surfaces.
@@ -67,10 +68,10 @@ impl Repairs {
         kind: RepairKind,
         surfaces: Vec<String>,
         at: Option<&Surface>,
-        text: impl Into<String>,
+        text: NoteText,
     ) {
         let (file, place) = at.map_or((None, None), |surface| (surface.file.clone(), surface.place));
-        self.list.push(Repair { kind, surfaces, text: text.into(), file, place });
+        self.list.push(Repair { kind, surfaces, text, file, place });
     }
 }
 

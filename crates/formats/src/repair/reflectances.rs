@@ -2,6 +2,8 @@
 
 use std::collections::HashMap;
 
+use radiosity_photometry::note_text::NoteText;
+
 use crate::model::{Model, Surface};
 use crate::repair::record::{RepairKind, Repairs};
 
@@ -17,22 +19,25 @@ pub(super) fn mend(model: &mut Model, repairs: &mut Repairs) {
         surface.material.into_iter().for_each(|index| users.entry(index).or_default().push(surface));
     }
     for (index, material) in model.materials.iter_mut().enumerate() {
-        let mut parts = Vec::new();
+        let mut parts: Option<NoteText> = None;
         for (band, value) in material.reflectance.iter_mut().enumerate() {
             let allowed = if *value >= 1.0 { MOST } else { value.max(0.0) };
             if *value < 0.0 || *value >= 1.0 {
-                let of_band = match bands.get(band) {
-                    Some(name) if bands.len() > 1 => format!(" in band {name:?}"),
-                    _ => String::new(),
+                let before = parts.map_or_else(NoteText::default, |parts| parts.then(", "));
+                let part = before.then(value.to_string());
+                let part = match bands.get(band) {
+                    Some(name) if bands.len() > 1 => part.then(" in band ").naming(name),
+                    _ => part,
                 };
-                parts.push(format!("{value}{of_band} became {allowed}"));
+                parts = Some(part.then(format!(" became {allowed}")));
                 *value = allowed;
             }
         }
-        if !parts.is_empty() {
+        if let Some(parts) = parts {
             let users = users.get(&index).map_or(&[][..], Vec::as_slice);
             let names = users.iter().map(|surface| surface.name.clone()).collect();
-            let text = format!("reflectance of material {:?}: {}", material.name, parts.join(", "));
+            let text =
+                NoteText::from("reflectance of material ").naming(&material.name).then(": ").followed(&parts);
             repairs.say(RepairKind::Reflectance, names, users.first().copied(), text);
         }
     }

@@ -3,6 +3,7 @@
 use radiosity_fit::outline::length_and_width;
 use radiosity_geom::COINCIDENT;
 use radiosity_geom::area_vector;
+use radiosity_photometry::note_text::NoteText;
 
 use crate::model::{Mantle, Model, Shape};
 use crate::repair::edit::Edit;
@@ -18,7 +19,7 @@ pub(super) fn remove(model: &mut Model, repairs: &mut Repairs) {
     for (index, surface) in model.surfaces.iter().enumerate().filter(|(_, surface)| is_sliver(&surface.shape))
     {
         edit.replace(index, Vec::new());
-        let text = format!("{:?} has no area; it was removed", surface.name);
+        let text = NoteText::default().naming(&surface.name).then(" has no area; it was removed");
         repairs.say(RepairKind::Sliver, vec![surface.name.clone()], Some(surface), text);
     }
     edit.apply(model, repairs);

@@ -1,6 +1,6 @@
 //! Fronts that point the wrong way.
 
-use radiosity_work::listed::quoted;
+use radiosity_photometry::note_text::NoteText;
 
 use crate::fronts::{TurnReason, turned};
 use crate::model::Model;
@@ -14,17 +14,16 @@ pub(super) fn mend(model: &mut Model, fixes: bool, repairs: &mut Repairs) {
         let count = names.len();
         let [show, were] =
             if count == 1 { ["shows its front", "it was"] } else { ["show their fronts", "they were"] };
-        let what = match found.why {
-            TurnReason::Neighbours => {
-                let beside = &model.surfaces[found.beside].name;
-                format!("{} {show} where {beside:?} beside has its back", quoted(&names))
-            }
-            TurnReason::Halves => {
-                let beside = &model.surfaces[found.beside].name;
-                format!("{} {show} where {beside:?} beside has its back, of equal areas", quoted(&names))
-            }
-            TurnReason::Inwards => format!("{} enclose nothing and {show} inwards", quoted(&names)),
-            TurnReason::Outwards => format!("{} enclose everything and {show} outwards", quoted(&names)),
+        let text = NoteText::default().naming_all(&names);
+        let beside = |text: NoteText| {
+            let other = &model.surfaces[found.beside].name;
+            text.then(format!(" {show} where ")).naming(other).then(" beside has its back")
+        };
+        let text = match found.why {
+            TurnReason::Neighbours => beside(text),
+            TurnReason::Halves => beside(text).then(", of equal areas"),
+            TurnReason::Inwards => text.then(format!(" enclose nothing and {show} inwards")),
+            TurnReason::Outwards => text.then(format!(" enclose everything and {show} outwards")),
         };
         let is_fixed = fixes && found.why != TurnReason::Halves;
         let (kind, done) = match is_fixed {
@@ -32,7 +31,7 @@ pub(super) fn mend(model: &mut Model, fixes: bool, repairs: &mut Repairs) {
             false => (RepairKind::DoubtfulFronts, "left so"),
         };
         let first = found.surfaces.first().map(|surface| &model.surfaces[*surface]);
-        repairs.say(kind, names, first, format!("{what}; {were} {done}"));
+        repairs.say(kind, names, first, text.then(format!("; {were} {done}")));
         if is_fixed {
             found.surfaces.iter().for_each(|surface| model.surfaces[*surface].shape.turn_over());
         }

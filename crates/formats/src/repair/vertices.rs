@@ -5,6 +5,7 @@ use std::collections::VecDeque;
 use glam::DVec3;
 use radiosity_fit::outline::tolerance;
 use radiosity_geom::distance_to_segment;
+use radiosity_photometry::note_text::NoteText;
 
 use crate::model::{Model, Shape};
 use crate::repair::record::{RepairKind, Repairs, counted};
@@ -20,7 +21,8 @@ pub(super) fn mend(model: &mut Model, asked: Option<f64>, repairs: &mut Repairs)
         }
         holes.retain(|hole| hole.len() > 2);
         if found.is_some() {
-            let text = format!("{:?} has {}, taken out", surface.name, found.text());
+            let text =
+                NoteText::default().naming(&surface.name).then(format!(" has {}, taken out", found.text()));
             repairs.say(RepairKind::Vertices, vec![surface.name.clone()], Some(surface), text);
         }
     }

@@ -500,6 +500,16 @@ fn specular_glossiness_leaves_the_rest_to_diffuse_reflection() {
     }
 }
 
+/// A texture that tells the mirror part leaves it unknown: what is taken for it is told.
+#[test]
+fn mirrors_that_a_texture_tells_are_told() {
+    let extension = "\"extensions\": {\"KHR_materials_pbrSpecularGlossiness\": {\"specularGlossinessTexture\": {\"index\": 0}}}, \"pbrMetallicRoughness\"";
+    let text = GLTF.replace("\"pbrMetallicRoughness\"", extension);
+    let told = noted(Format::Gltf, &text);
+    let kept = "the part that a specularGlossinessTexture reflects as a mirror does is taken for 0, and all of the diffuse colour is kept";
+    assert_eq!(told, [SPECULAR, "textures are left out", kept], "{told:?}");
+}
+
 /// Notes on materials of an OBJ have the file and the line of the statement.
 #[test]
 fn notes_on_materials_have_their_file_and_line() {

@@ -6,6 +6,7 @@ use radiosity_formats::model::{Material, Model, Shape, Sides, Surface};
 use radiosity_formats::repair::{Options, RepairKind, Repairs, refusal, repair};
 use radiosity_geom::PlanarRegion;
 use radiosity_photometry::file_place::FilePlace;
+use radiosity_photometry::note_text::NoteText;
 use radiosity_test_support::random::seeded;
 
 fn surface(name: &str, shape: Shape) -> Surface {
@@ -486,16 +487,19 @@ fn open_sides_are_settled_as_asked() {
 
 #[test]
 fn a_refusal_tells_the_first_repair() {
-    assert!(refusal(&Repairs::default(), "room.obj").is_none());
+    assert!(refusal(&Repairs::default(), "room.obj", NoteText::to_string).is_none());
     let desk = || square("desk", [0.0; 3], 1.0, true);
     let (_, repairs) = repaired(model(vec![desk(), Surface { name: "again".into(), ..desk() }]));
-    let told = refusal(&repairs, "room.obj").expect("a copy is at fault");
+    let told = refusal(&repairs, "room.obj", NoteText::to_string).expect("a copy is at fault");
     assert_eq!(told.to_string(), r#"room.obj:1: "desk" and "again" coincide; "again" was removed"#);
     assert!(told.cure.contains("mend the file"));
     // What was left as it is was not repaired.
     let boxes = cuboid("box", DVec3::ZERO, DVec3::ONE, false);
     let (_, left) = repaired(model([boxes, vec![square("sign", [5.0; 3], 1.0, true)]].concat()));
-    assert_eq!((left.count(RepairKind::DoubtfulFronts), refusal(&left, "room.obj")), (1, None));
+    assert_eq!(
+        (left.count(RepairKind::DoubtfulFronts), refusal(&left, "room.obj", NoteText::to_string)),
+        (1, None)
+    );
 }
 
 #[test]

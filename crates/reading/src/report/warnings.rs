@@ -343,9 +343,9 @@ fn row_sum(options: &Options, outcome: &Outcome) -> Option<Warning> {
 fn sees_through() -> Wording {
     words("lower ")
         + option("eps")
-        + ", or leave "
+        + "; where surfaces stand between others, leave "
         + set("shadows", "off")
-        + " out, which lets light through surfaces"
+        + " out, which lets light through them"
 }
 
 /// A warning about transfers whose light grows with each reflection.

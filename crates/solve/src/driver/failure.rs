@@ -197,7 +197,27 @@ impl Failure {
                     + option("keep-partial")
                     + " writes what there is"
             }
+            Self::Solver { source: SolveError::Cancelled { .. }, .. } => return None,
+            Self::Solver { .. } => words("take another ") + option("solver"),
             _ => return None,
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn solvers_that_cannot_solve_a_system_are_cured_by_others() {
+        let of = |source: SolveError| Failure::Solver { band: "grey".to_owned(), source };
+        for source in [
+            SolveError::NotPositiveDefinite { method: "cg" },
+            SolveError::NotSymmetric { method: "cg" },
+            SolveError::Breakdown { method: "bicgstab", iterations: 3 },
+        ] {
+            let cure = of(source).cure().map(|cure| cure.to_string());
+            assert_eq!(cure.as_deref(), Some("take another --solver"));
+        }
     }
 }

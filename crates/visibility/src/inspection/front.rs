@@ -77,8 +77,15 @@ fn part_of(shell: &Shell) -> String {
 }
 
 /// Fronts that face no other front, according to sampled points; blockers are not considered, what is
-/// `lying` on another surface faces that one, and a face of a solid would be wrong if it were turned over.
-pub(super) fn blind(scene: &Scene, sheets: &Sheets, shells: &[Shell], lying: &HashSet<&str>) -> Vec<Warning> {
+/// `lying` on another surface faces that one, and a face of a solid would be wrong if it were turned over, as would
+/// one of several faces that agree, of which some see others: a roof over walls.
+pub(super) fn blind(
+    scene: &Scene,
+    sheets: &Sheets,
+    groups: &[Group],
+    shells: &[Shell],
+    lying: &HashSet<&str>,
+) -> Vec<Warning> {
     let solids = shells.iter().filter(|shell| shell.fronts == Fronts::Outside);
     let of_solids: HashSet<usize> = solids.flat_map(|shell| shell.sheets.iter().copied()).collect();
     let samples: Vec<_> = sheets.list.iter().map(Sheet::samples).collect();
@@ -103,15 +110,28 @@ pub(super) fn blind(scene: &Scene, sheets: &Sheets, shells: &[Shell], lying: &Ha
         return Vec::new();
     }
     let blind: Vec<usize> = (0..sheets.list.len()).into_par_iter().filter(|own| is_blind(*own)).collect();
-    let cure = by_keys(scene, "flip = true turns it over");
-    let message = format!("faces no other front, it neither lights nor is lit: {cure}");
+    let bodies: Vec<&Group> = groups.iter().filter(|group| group.agrees()).collect();
+    let body = |own: usize| bodies.iter().find(|group| group.sheets.binary_search(&own).is_ok());
+    let sees_as_a_body = |group: &Group| group.sheets.iter().any(|own| blind.binary_search(own).is_err());
     // What has a temperature or a flux of heat faces space.
-    let faces_space = |own: &usize| sheets.list[*own].has_heat;
-    let names = blind.into_iter().filter(|own| !faces_space(own)).map(|own| &sheets.list[own].name);
-    names
-        .filter(|name| !lying.contains(name.as_str()))
-        .map(|name| Warning::about("front-blind", name, message.clone()))
-        .collect()
+    let is_wrong = |own: &usize| {
+        let name = sheets.list[*own].name.as_str();
+        !sheets.list[*own].has_heat
+            && !lying.contains(name)
+            && !body(*own).is_some_and(|group| sees_as_a_body(group))
+    };
+    let warning = |own: usize| {
+        let cure = match body(own) {
+            None => by_keys(scene, "flip = true turns it over"),
+            Some(_) => {
+                "if it is a wall of a room, ".to_owned()
+                    + &by_keys(scene, "flip = true turns it and those that it meets over")
+            }
+        };
+        let message = format!("faces no other front, it neither lights nor is lit: {cure}");
+        Warning::about("front-blind", &sheets.list[own].name, message)
+    };
+    blind.iter().copied().filter(is_wrong).map(warning).collect()
 }
 
 /// Whether a point of a box may be seen, at a sine of at least `GRAZING`, from a planar sheet of this

@@ -49,6 +49,13 @@ pub(super) struct Group {
     is_closed: bool,
 }
 
+impl Group {
+    /// Whether it is of several sheets, whose fronts agree.
+    pub(super) fn agrees(&self) -> bool {
+        self.sheets.len() > 1 && self.turned.is_empty()
+    }
+}
+
 /// All groups, by their first sheets.
 pub(super) fn groups(sheets: &Sheets, borders: &[SheetBorder]) -> Vec<Group> {
     let joints = joints(sheets, borders);

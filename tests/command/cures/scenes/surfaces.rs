@@ -4,6 +4,23 @@ use super::super::{MORE, Row};
 
 pub(super) const ROWS: &[Row] = &[
     Row {
+        part: MORE,
+        bad: r#"[[surfaces]]
+name = "red\u001b[31m\nwarning: all is well"
+material = "white"
+quad = { vertices = [[0, 0, 1], [1, 0, 1], [1, 1, 1], [0, 1, 1]] }
+"#,
+        cured: r#"[[surfaces]]
+name = "red"
+material = "white"
+quad = { vertices = [[0, 0, 1], [1, 0, 1], [1, 1, 1], [0, 1, 1]] }
+"#,
+        told: &[
+            r#"the name "red\u{1b}[31m\nwarning: all is well" holds a character that cannot be printed"#,
+            "help: write it in letters, digits and signs, on one line",
+        ],
+    },
+    Row {
         part: r#"material = "lamp"
 "#,
         bad: r#"material = "lump"
