@@ -7,9 +7,9 @@
 //! L = ⌈ln(s/(W g)) / ln(1/q)⌉ ,     W = 2 ,
 //! ```
 //!
-//! layers make the outermost ones about g wide. Each direction of a surface has its own length; where it closes, or ends
-//! in a point, there is no side. g is the median over places of the surface, so that what stands on a part of it does not count: that part is
-//! a divider's or a shaded one (`dividers`, `shaded_parts`).
+//! layers make the outermost ones about g wide. Each direction of a surface has its own length; where it closes,
+//! or ends in a point, there is no side. g is the median over places of the surface, so that what stands on a part
+//! of it does not count: that part is a divider's or a shaded one (`dividers`, `shaded_parts`).
 
 use radiosity_geom::{Aabb, Bvh, COINCIDENT, DVec3, Rect, Surface};
 use radiosity_scene::Scene;

@@ -95,8 +95,8 @@ impl<'a> Resolution<'a> {
         [0, 1].map(|across| with_layers(&divided(&parts[across], &lines[across]), layers[across]))
     }
 
-    /// Layers of the `index`-th surface along u and v, at the lower and the upper side: those that are asked for, or what
-    /// is near wants; the latter not where its cells are stated.
+    /// Layers of the `index`-th surface along u and v, at the lower and the upper side: those that are asked for, or
+    /// what is near wants; the latter not where its cells are stated.
     fn layers(&self, index: usize, surface: &SceneSurface) -> [[Layers; 2]; 2] {
         let nearness = self.nearness.as_ref().filter(|_| surface.subdivide.is_none());
         nearness.map_or([[self.how.layers; 2]; 2], |nearness| nearness.layers(index))

@@ -27,8 +27,8 @@
 //! as rules cut near elements by themselves.
 
 use radiosity_core::dot;
-use radiosity_elements::mesh::{CellRefinement, Mesh};
 use radiosity_elements::Elements;
+use radiosity_elements::mesh::{CellRefinement, Mesh};
 use radiosity_solve::driver::cost::seconds_of_samples;
 use radiosity_solve::{Model, Outcome};
 

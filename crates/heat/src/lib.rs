@@ -124,13 +124,8 @@ impl Default for HeatOptions {
     /// Order 3, every pair to 1e-4 with its shadows by rules, or by rays and of order 0 where rules would take long,
     /// the system to 1e-12; no conductances.
     fn default() -> Self {
-        let options = Options {
-            order: 3,
-            eps: 1e-4,
-            shadow_eps: 1e-4,
-            tolerance: 1e-12,
-            ..Options::default()
-        };
+        let options =
+            Options { order: 3, eps: 1e-4, shadow_eps: 1e-4, tolerance: 1e-12, ..Options::default() };
         Self { options, conductances: false }
     }
 }

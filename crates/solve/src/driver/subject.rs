@@ -260,8 +260,8 @@ impl Subject<'_> {
         (0..probed).map(|place| groups[place * count / probed].1).collect()
     }
 
-    /// B_i / B̄ of each element, the mean of the bands and probed light groups that emit. Of the other groups it has what
-    /// they emit; what is reflected of their light is taken to be like that of the probed ones.
+    /// B_i / B̄ of each element, the mean of the bands and probed light groups that emit. Of the other groups it
+    /// has what they emit; what is reflected of their light is taken to be like that of the probed ones.
     fn brightness(&self, blocks: &Blocks) -> Result<Vec<f64>, SolveError> {
         let probed = self.probed_groups();
         let lit = self.solved(blocks, &probed, &|solved| self.elements.means(&solved.radiosity))?;
@@ -280,7 +280,7 @@ impl Subject<'_> {
         Ok(bright)
     }
 
-    /// What the elements emit, band by band and group by group (W m⁻²).
+    /// Exitances of the elements, band by band and group by group (W m⁻²).
     fn exitances<'g>(&'g self, groups: &'g [usize]) -> impl Iterator<Item = &'g [f64]> {
         let of_band =
             move |own: &'g Vec<&Coating>| groups.iter().map(|group| own[*group].exitance.as_slice());

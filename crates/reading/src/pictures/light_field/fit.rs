@@ -83,13 +83,13 @@ impl FitResult {
         self.beside_noise(self.residual).max(self.beside_noise(self.bend) / BENT)
     }
 
-    /// As [`FitResult::left`], of values on a few lines, which polynomials of degree 2 meet whatever light does between:
-    /// what those of degree 1 leave counts too, over `most`.
+    /// As [`FitResult::left`], of values on a few lines, which polynomials of degree 2 meet whatever light does
+    /// between: what those of degree 1 leave counts too, over `most`.
     pub(crate) fn left_on_few_lines(&self, most: f64) -> f64 {
         self.left().max(self.beside_noise(self.curve) / most)
     }
 
-    /// What there is of a root mean square beside the values' own errors.
+    /// Part of a root mean square beside the values' own errors.
     fn beside_noise(&self, of: f64) -> f64 {
         (of * of - self.noise * self.noise).max(0.0).sqrt()
     }
@@ -137,7 +137,8 @@ impl<'a> Fit<'a> {
             let (side, squares) = self.side(&rows, band);
             let found = factor.forward(side);
             let of_degree = |terms: usize| dot(&unit[..terms], &found[..terms]);
-            let left = |terms: usize| ((squares - dot(&found[..terms], &found[..terms])).max(0.0) / all).sqrt();
+            let left =
+                |terms: usize| ((squares - dot(&found[..terms], &found[..terms])).max(0.0) / all).sqrt();
             value.push(of_degree(terms));
             bend += match terms {
                 QUADRATIC => (of_degree(terms) - of_degree(LINEAR)).abs(),
