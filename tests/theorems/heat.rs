@@ -5,6 +5,7 @@ mod shared;
 mod backs;
 mod curved;
 mod enclosures;
+mod gaps;
 mod kept;
 mod levels;
 mod random;
