@@ -86,9 +86,9 @@ fn assert_told(heights: &[f64]) {
             .unwrap_or_else(|error| panic!("{error}"));
         let (own, right) = (of(&heat, "hot"), flow(*height));
         let (off, told) = ((own.flow - right).abs(), own.flow_error);
-        println!("{height}: {} W for {right}, off by {off:.1e}, told {told:.1e}", own.flow);
-        assert!(off < 3.0 * told, "{height}");
-        assert!(told < 5e-3 * right, "{height}");
+        let found = format!("at {height}: {} W for {right}, told {told:.1e}", own.flow);
+        assert!(off < 3.0 * told, "{found}");
+        assert!(told < 5e-3 * right, "{found}");
     }
 }
 
