@@ -209,7 +209,7 @@ fn the_error_of_even_fluxes_is_told_where_memory_allows() {
         let output = radiosity(folder.path(), &["heat", "oven", "--order", "0", "--memory", &memory]);
         output.status.success().then(|| String::from_utf8(output.stderr).unwrap())
     };
-    let told: Vec<String> = (10_000..12_000).step_by(80).filter_map(tell).collect();
+    let told: Vec<String> = (10_000..14_000).step_by(160).filter_map(tell).collect();
     let is_warned = |told: &String| told.contains("no memory or no time to cut elements");
     assert!(told.len() < 25 && is_warned(&told[0]) && !is_warned(&told[told.len() - 1]), "{told:?}");
 }
@@ -231,8 +231,10 @@ fn a_sweep_from_rest_is_checked_where_heat_flows() {
 fn what_path_tracing_finds_is_told() {
     let folder = tempfile::tempdir().unwrap();
     fs::write(folder.path().join("plates.toml"), NEAR_PLATES).unwrap();
+    // Whole plates are too wide for their gap.
     for order in ["0", "1", "3"] {
-        let [_, told] = heat(folder.path(), &["plates.toml", "--order", order, "-o", "plates.json"]);
+        let whole = ["plates.toml", "--subdivide", "1", "--order", order, "-o", "plates.json"];
+        let [_, told] = heat(folder.path(), &whole);
         assert!(told.contains("checked at 2 surfaces by path tracing: off by"), "{told}");
         let json: Value =
             serde_json::from_slice(&fs::read(folder.path().join("plates.json")).unwrap()).unwrap();
@@ -242,7 +244,8 @@ fn what_path_tracing_finds_is_told() {
         assert!(number(&json["error_factor"]) >= 1.0 && number(&json["audit"]["readings"]) == 2.0);
         assert!(number(&json["error"]) > 3.0 * number(&json["error_sd"]), "{json}");
     }
-    let strict = radiosity(folder.path(), &["heat", "plates.toml", "--order", "0", "--strict"]);
+    let even = ["heat", "plates.toml", "--subdivide", "1", "--order", "0", "--strict"];
+    let strict = radiosity(folder.path(), &even);
     let told = String::from_utf8(strict.stderr).unwrap();
     assert_eq!(strict.status.code(), Some(3), "{told}");
     assert!(told.contains("path tracing finds more") && told.contains("\"body\""), "{told}");
