@@ -4,7 +4,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use radiosity_scene::Scene;
 use radiosity_work::ranks::PartName;
-use radiosity_work::{Stage, Work};
+use radiosity_work::{Progress, Stage, Work};
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 
@@ -21,6 +21,7 @@ use crate::spectrum::{Spectrum, TOGETHER};
 use crate::spot::{Begin, Spot, Start};
 use crate::suns::Suns;
 use crate::walk::{Ground, Scores};
+use crate::walk_cost::WalkCost;
 
 /// Weight k⁻¹ below which a walk may end. Measured (`docs/theory/error.md`): of ½, 1, 1.5, 2 and 4 the k of the
 /// least variance at equal time on most scenes.
@@ -102,6 +103,8 @@ impl Referee {
         effort: &Effort,
         work: &Work<'_>,
     ) -> Vec<Option<Estimate>> {
+        let seconds = effort.seconds(spots.len(), &WalkCost::of_light(&self.scene));
+        work.report(Progress::Expected { stage: Stage::Referee, seconds });
         let grounds: Vec<Ground<'_>> =
             (0..self.scene.bands.len()).step_by(TOGETHER).map(|first| self.ground(first)).collect();
         let bands = self.scene.bands.len();
@@ -243,5 +246,36 @@ impl Mean {
         let value = values.iter().sum::<f64>() / count;
         let squares: f64 = values.iter().map(|own| (own - value).powi(2)).sum();
         Self { value, error: (squares / (count * (count - 1.0))).sqrt() }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::time::Instant;
+
+    use radiosity_geom::DVec3;
+    use radiosity_geom::shapes::{Disk, FULL_TURN};
+    use radiosity_scene::{Material, SceneBuilder};
+    use radiosity_work::Deadline;
+
+    use super::*;
+
+    /// What is not done when time is up is left out; who wants all of it waits.
+    #[test]
+    fn walks_end_with_the_time_that_they_are_given() {
+        let mut scene = SceneBuilder::new("disk", ["lm"]);
+        let glow = scene.material("glow", Material::new(vec![0.5], vec![1.0]).expect("it is one"));
+        let disk = Disk::new(DVec3::ZERO, DVec3::Z, 1.0, 0.0, FULL_TURN).expect("it is one");
+        scene.surface("disk", disk, &glow);
+        let referee = Referee::of_light(&scene.build().expect("it is one"));
+        let spots: Vec<Spot> = referee.sample(9, 0).into_iter().map(|point| point.spot).collect();
+        let effort = Effort::of_walks(64.0);
+        let past = Deadline::at(Some(Instant::now()));
+        let late = Work::alone().until(&past);
+        assert!(referee.estimates_in_time(&spots, &effort, &late).iter().all(Option::is_none));
+        let all = referee.estimates(&spots, &effort, &late);
+        assert_eq!(all.len(), spots.len());
+        let unhurried = referee.estimates_in_time(&spots, &effort, &Work::alone());
+        assert_eq!(unhurried.into_iter().flatten().collect::<Vec<_>>(), all);
     }
 }

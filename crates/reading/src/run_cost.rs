@@ -6,6 +6,7 @@
 //! ```
 
 use radiosity_solve::solved::Solved;
+use radiosity_work::{Progress, Stage, Work};
 
 use crate::quality::ReadSettings;
 use crate::reader::ReadMode;
@@ -13,6 +14,18 @@ use crate::reader::ReadMode;
 /// Part of the time of one core for each point: two threads share them, and points beside each other what is
 /// around them. Measured: a grid and a picture of the Cornell box.
 const SHARED: f64 = 0.25;
+
+/// Tells about how long so many readings of a stage take.
+pub fn tell_readings(
+    solved: &Solved,
+    settings: &ReadSettings,
+    readings: usize,
+    stage: Stage,
+    work: &Work<'_>,
+) {
+    let seconds = seconds_to_read(solved, settings, readings as f64);
+    work.report(Progress::Expected { stage, seconds });
+}
 
 /// Seconds to read so many points or cells with `settings`, whose points share what is found of their
 /// surroundings; 0 where that takes no gathering.

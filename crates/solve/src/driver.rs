@@ -58,6 +58,7 @@ mod outcome;
 mod shooting;
 mod band_systems;
 mod ready;
+mod forecast;
 mod model;
 mod by_links;
 

@@ -8,7 +8,7 @@ use radiosity_reading::checked_readings::{CheckEffort, CheckedReadings, PrintedR
 use radiosity_reading::judging::JudgedRun;
 use radiosity_reading::quality::ReadSettings;
 use radiosity_reading::reader::ReadMode;
-use radiosity_reading::run_cost::seconds_to_read;
+use radiosity_reading::run_cost::{seconds_to_read, tell_readings};
 use radiosity_work::{Pace, Stage, Work};
 
 use super::Run;
@@ -60,6 +60,13 @@ impl Run {
     pub(crate) fn add_checked(&mut self, checked: Option<Checked>, read: ReadMode) {
         if let Some(checked) = checked {
             self.report.add_checked(checked, read);
+        }
+    }
+
+    /// Tells about how long so many readings of a stage take, unless their time is limited.
+    pub(crate) fn tell_readings(&self, settings: &ReadSettings, readings: usize, stage: Stage) {
+        if self.time_left().is_none() {
+            tell_readings(&self.solved, settings, readings, stage, &self.work());
         }
     }
 

@@ -106,7 +106,18 @@ pub(crate) fn exact_price(
     wanted: &dyn Fn(usize, usize) -> bool,
     visibility: &Visibility,
 ) -> f64 {
-    let sizes = cut_sizes(scene, how);
+    let counts: Vec<u64> = cut_sizes(scene, how).iter().map(|size| size.elements).collect();
+    price_of_pairs(scene, &counts, wanted, visibility)
+}
+
+/// The price of the exact blocks between so many elements of each surface, in rays, from some of the pairs of surfaces
+/// that are `wanted`.
+pub(super) fn price_of_pairs(
+    scene: &Scene,
+    counts: &[u64],
+    wanted: &dyn Fn(usize, usize) -> bool,
+    visibility: &Visibility,
+) -> f64 {
     let outlines: Vec<Outline> = scene.surfaces.iter().map(Outline::of).collect();
     let pairs = scene.surfaces.len() * (scene.surfaces.len() - 1) / 2;
     let looked_at = pairs.min(LOOKED_AT);
@@ -118,7 +129,7 @@ pub(crate) fn exact_price(
         }
         let pair =
             ElementPair { surfaces: [i, j], hulls: [&a.hull, &b.hull], are_flat: a.is_flat() && b.is_flat() };
-        (sizes[i].elements * sizes[j].elements) as f64 * price(&pair, visibility)
+        (counts[i] * counts[j]) as f64 * price(&pair, visibility)
     };
     (0..looked_at).map(of_pair).fold(0.0, |sum, price| sum + price) * pairs as f64 / looked_at.max(1) as f64
 }

@@ -13,6 +13,7 @@
 //! Hanrahan, D. Salzman, L. Aupperle, SIGGRAPH 1991, 197-206, for links.)
 
 use std::ops::Range;
+use std::time::Instant;
 
 use radiosity_elements::coating::Coating;
 use radiosity_elements::{Element, Elements};
@@ -57,6 +58,10 @@ const LEFT: f64 = 0.1;
 /// Rays of a round: about a second's on two cores.
 const ROUND: u64 = 1 << 21;
 
+/// Part of the time left in which rays are sent where it is limited: their error, the systems and the self-checks have
+/// the rest. Measured: in a classroom of 5826 surfaces these take three quarters of what its rays do.
+const SENT: f64 = 0.6;
+
 /// Relative residual of solutions that only tell brightness or error.
 const ROUGH: f64 = 1e-4;
 
@@ -76,6 +81,8 @@ pub(super) struct Subject<'a> {
     pub visibility: &'a Visibility,
     pub options: &'a Options,
     pub work: &'a Work<'a>,
+    /// End of the rays, where time is limited.
+    pub sent_until: Option<Instant>,
 }
 
 impl Subject<'_> {
@@ -159,7 +166,7 @@ impl Subject<'_> {
             .unwrap_or_else(|_| vec![1.0; self.elements.list().len()]);
         let planned = self.by_brightness(rays as f64, &bright);
         let total = transport.sent().iter().sum::<u64>() + planned.iter().sum::<u64>();
-        if !work.is_ended() {
+        if !self.is_ended() {
             transport.settle_again(&planned, self.accuracy(rays), kept, work);
             self.send_in_rounds(&mut transport, &planned);
         }
@@ -184,7 +191,17 @@ impl Subject<'_> {
     /// Tells how far the work is; returns whether it goes on.
     fn goes_on(&self, progress: Progress) -> bool {
         self.work.report(progress);
-        !self.work.is_ended()
+        !self.is_ended()
+    }
+
+    /// Whether rays are no longer wanted.
+    fn is_ended(&self) -> bool {
+        self.work.is_ended() || self.sent_until.is_some_and(|until| Instant::now() >= until)
+    }
+
+    /// The instant at which rays end that begin now, where time is limited.
+    pub(super) fn end_of_rays(work: &Work<'_>) -> Option<Instant> {
+        work.left().map(|left| Instant::now() + left.mul_f64(SENT))
     }
 
     /// Sends the planned rays, unless the work is stopped. The error so far is told after rounds
@@ -201,7 +218,7 @@ impl Subject<'_> {
                 planned.iter().map(|count| until(round, *count) - until(round - 1, *count)).collect();
             transport
                 .send(&now, &mut |more| self.goes_on(Progress::Rays { done: done + more, of: total, error }));
-            if self.work.is_ended() {
+            if self.is_ended() {
                 return;
             }
             done += now.iter().sum::<u64>();
