@@ -37,7 +37,7 @@ def runs(shared):
         yield ["solve", scene, "-o", "x.json"]
     for scene in ["cornell-box", "teapot", "billiard", "soda.json", rooms[1]]:
         yield ["render", mgf[1] if scene == "soda.json" else scene, *small, "-o", "x.png"]
-    for scene in ["cornell-box", "two-boxes", "temple", rooms[2], rooms[3]]:
+    for scene in ["cornell-box", "two-boxes", "billiard", rooms[2], rooms[3]]:
         yield ["grid", scene, "--cells", "4x4", "-o", "x.csv"]
     for room in rooms:
         yield ["probe", room, "--points", room.with_suffix(".csv"), "-o", "x.csv"]
@@ -49,9 +49,9 @@ def runs(shared):
     yield ["heat", "oven", "--order", "5", "--eps", "1e-6"]
     yield ["heat", "oven", "--rays", "2000000"]
     yield ["heat", shared / "cases" / "heat" / "sat.toml"]
-    yield ["heat", shared / "cases" / "heat" / "ball.toml"]
+    yield ["heat", shared / "cases" / "heat" / "groove30.toml"]
     for scene in ["sliding-light", "blue-panel"]:
-        yield ["animate", scene, "--frames", "0..3", *small, "-o", "frames"]
+        yield ["animate", scene, "--frames", "0..3", *small, "-o", "frame-####.png"]
 
 
 def run(command, arguments):

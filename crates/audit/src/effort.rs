@@ -49,7 +49,7 @@ impl Effort {
     }
 
     /// About the seconds that its walks of this cost take two threads for so many readings.
-    pub(crate) fn seconds(&self, readings: usize, cost: &WalkCost) -> f64 {
+    pub fn seconds(&self, readings: usize, cost: &WalkCost) -> f64 {
         readings as f64 * self.walks() as f64 / cost.walks(1.0)
     }
 

@@ -10,7 +10,7 @@ use radiosity_solve::solved::Solved;
 use radiosity_solve::view_factors::{self, ViewFactors};
 use radiosity_visibility::Shadows;
 use radiosity_work::wording::{Wording, option, set, words};
-use radiosity_work::{Stage, Work};
+use radiosity_work::{Progress, Stage, Work};
 use serde::Deserialize;
 
 use super::ranges::{Number, Readings, Seconds, Seed};
@@ -121,7 +121,10 @@ impl CheckRequest {
         work.during(Stage::Referee, || {
             let (run, cost) = (heat.outcome.seconds_by_counts(), WalkCost::of_heat(scene));
             let surfaces = heat.to_check(scene, Effort::readings(self.seconds(run), Self::READINGS, &cost));
-            heat.check(scene, &surfaces, &self.effort(run, surfaces.len(), &cost), work)
+            let effort = self.effort(run, surfaces.len(), &cost);
+            let seconds = effort.of_surfaces().seconds(surfaces.len(), &cost);
+            work.report(Progress::Expected { stage: Stage::Referee, seconds });
+            heat.check(scene, &surfaces, &effort, work)
         })
     }
 

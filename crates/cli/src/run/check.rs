@@ -45,6 +45,10 @@ impl Run {
             Pace::of(effort.readings, self.threads, Instant::now() + left.mul_f64(READ))
         });
         let settings = pace.as_ref().map_or(*settings, |pace| self.paced(settings, pace));
+        if pace.is_none() {
+            let readings = effort.readings;
+            tell_readings(&self.solved, &settings, readings, true, Stage::Referee, &self.work());
+        }
         let judge = || {
             let referee = Referee::of_light(&self.solved.scene);
             let work = self.check_work();
@@ -66,7 +70,7 @@ impl Run {
     /// Tells about how long so many readings of a stage take, unless their time is limited.
     pub(crate) fn tell_readings(&self, settings: &ReadSettings, readings: usize, stage: Stage) {
         if self.time_left().is_none() {
-            tell_readings(&self.solved, settings, readings, stage, &self.work());
+            tell_readings(&self.solved, settings, readings, false, stage, &self.work());
         }
     }
 

@@ -175,8 +175,7 @@ impl Model {
         let bands = &Emission::by_band(first.emissions());
         let entries = first.reflected(first.emissions()).expect("the emission is the same");
         let entries = &entries.into_iter().map(|own| own.entry).collect::<Vec<_>>();
-        let sent_until = Subject::end_of_rays(work);
-        let subject = Subject { elements, bands, entries, visibility, options, work, sent_until };
+        let subject = Subject { elements, bands, entries, visibility, options, work };
         if kept.is_none() {
             work.report(Progress::Expected { stage: Stage::Blocks, seconds: seconds_of_pairs(&ready) });
         }
