@@ -18,9 +18,9 @@ const SHARED: f64 = 0.25;
 
 /// Readings take longer than their price by this power of the number of surfaces over those of a box, and by so many
 /// times the part of them that are curved: rays are slower there, and more go on from dark places. Measured on ten scenes.
-const MORE_SURFACES: f64 = 0.6;
+const MORE_SURFACES: f64 = 0.4;
 const BOX: f64 = 16.0;
-const CURVED: f64 = 8.0;
+const CURVED: f64 = 5.5;
 
 /// Time of a reading that has none beside it, over that of one of many.
 const APART: f64 = 2.0;

@@ -43,6 +43,7 @@ mod transport_choice;
 mod options;
 pub mod cost;
 mod choose_transport;
+mod forecast;
 mod memory_need;
 mod decisions;
 mod emission;
@@ -58,7 +59,6 @@ mod outcome;
 mod shooting;
 mod band_systems;
 mod ready;
-mod forecast;
 mod model;
 mod by_links;
 

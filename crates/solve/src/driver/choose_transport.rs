@@ -103,18 +103,24 @@ fn elements_of(options: &Options, visibility: &Visibility) -> Discretization {
 pub(crate) struct PairsPrice {
     /// Of pairs of flat surfaces.
     pub flat: f64,
-    /// Of pairs of which one is curved.
+    /// Of pairs of a flat and a curved surface.
+    pub mixed: f64,
+    /// Of pairs of curved surfaces.
     pub curved: f64,
 }
 
 impl PairsPrice {
     /// The price of all pairs.
     pub(crate) fn all(&self) -> f64 {
-        self.flat + self.curved
+        self.flat + self.mixed + self.curved
     }
 
     fn and(self, other: Self) -> Self {
-        Self { flat: self.flat + other.flat, curved: self.curved + other.curved }
+        Self {
+            flat: self.flat + other.flat,
+            mixed: self.mixed + other.mixed,
+            curved: self.curved + other.curved,
+        }
     }
 }
 
@@ -147,18 +153,19 @@ pub(super) fn price_of_pairs(
         if !wanted(i, j) || !a.exchanges_with(b) {
             return PairsPrice::default();
         }
-        let are_flat = a.is_flat() && b.is_flat();
-        let pair = ElementPair { surfaces: [i, j], hulls: [&a.hull, &b.hull], are_flat };
+        let are_flat = [a.is_flat(), b.is_flat()];
+        let pair =
+            ElementPair { surfaces: [i, j], hulls: [&a.hull, &b.hull], are_flat: are_flat == [true; 2] };
         let price = (counts[i] * counts[j]) as f64 * price(&pair, visibility);
-        if are_flat {
-            PairsPrice { flat: price, curved: 0.0 }
-        } else {
-            PairsPrice { flat: 0.0, curved: price }
+        match are_flat {
+            [true, true] => PairsPrice { flat: price, ..PairsPrice::default() },
+            [false, false] => PairsPrice { curved: price, ..PairsPrice::default() },
+            _ => PairsPrice { mixed: price, ..PairsPrice::default() },
         }
     };
     let sum = (0..looked_at).map(of_pair).fold(PairsPrice::default(), PairsPrice::and);
     let part = pairs as f64 / looked_at.max(1) as f64;
-    PairsPrice { flat: part * sum.flat, curved: part * sum.curved }
+    PairsPrice { flat: part * sum.flat, mixed: part * sum.mixed, curved: part * sum.curved }
 }
 
 /// The pair j < i that is number i (i − 1)/2 + j.

@@ -34,7 +34,6 @@ use super::band_systems::{BandSystems, SolvedLight};
 use super::decisions::{AssemblyPlan, Layout};
 use super::emission::Emission;
 use super::failure::Failure;
-use super::forecast::seconds_of_pairs;
 use super::first_light::EnteringLight;
 use super::kept_model::{KeptModel, WholeBlocks};
 use super::options::Options;
@@ -177,7 +176,7 @@ impl Model {
         let entries = &entries.into_iter().map(|own| own.entry).collect::<Vec<_>>();
         let subject = Subject { elements, bands, entries, visibility, options, work };
         if kept.is_none() {
-            work.report(Progress::Expected { stage: Stage::Blocks, seconds: seconds_of_pairs(&ready) });
+            work.report(Progress::Expected { stage: Stage::Blocks, seconds: ready.seconds_of_pairs() });
         }
         if let Some(kept) = &mut kept {
             kept.blocks.move_to(scene, elements, visibility);
@@ -212,7 +211,7 @@ impl Model {
         let wanted = |a, b| ready.sends(a) || ready.sends(b);
         let emissions = Emission::all(&ready.scene, ready.elements.list());
         let first = ready.first_light(&ready.scene, &emissions, work.ranks);
-        work.report(Progress::Expected { stage: Stage::Blocks, seconds: seconds_of_pairs(&ready) });
+        work.report(Progress::Expected { stage: Stage::Blocks, seconds: ready.seconds_of_pairs() });
         let columns = work.during(Stage::Blocks, || ColumnsAsShot::new(ready.demand(&wanted), *work));
         let source = ColumnSource { columns: &columns, before: columns.seconds(), all_first: None };
         let shooter = ready.shooter(&ready.scene, &emissions, &first);

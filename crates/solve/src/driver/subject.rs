@@ -157,9 +157,8 @@ impl Subject<'_> {
         let Self { elements, visibility, work, .. } = *self;
         let mut transport = SampledTransport::keeping(elements, visibility, kept.as_deref_mut(), work.ranks);
         let pilot = (PILOT * rays as f64).min(ROUND as f64);
-        let until = self.end_of_rays(Duration::ZERO);
         transport.send(&self.by_area(pilot), &mut |done| {
-            self.goes_on(Progress::Rays { done, of: rays, error: None }, until)
+            self.goes_on(Progress::Rays { done, of: rays, error: None }, None)
         });
         let sent = Instant::now();
         // Where the pilot tells nothing, all elements count as equally bright.
@@ -169,7 +168,7 @@ impl Subject<'_> {
         let planned = self.by_brightness(rays as f64, &bright);
         let total = transport.sent().iter().sum::<u64>() + planned.iter().sum::<u64>();
         let until = self.end_of_rays(sent.elapsed());
-        if !self.is_ended(until) {
+        if !work.is_ended() {
             transport.settle_again(&planned, self.accuracy(rays), kept, work);
             self.send_in_rounds(&mut transport, &planned, until);
         }
@@ -208,7 +207,8 @@ impl Subject<'_> {
         Some(Instant::now() + left.mul_f64(SENT).min(left.saturating_sub(AFTER * solution)))
     }
 
-    /// Sends the planned rays, unless the work is stopped, `until` an instant if time is limited. Elsewhere the error so
+    /// Sends the planned rays, unless the work is stopped, the second half `until` an instant if time is limited: by fewer
+    /// rays than elements were cut for, light may grow without end. Elsewhere the error so
     /// far is told after rounds 1, 2, 4, 8, …: what this costs is a part of what the rays do.
     fn send_in_rounds(&self, transport: &mut SampledTransport, planned: &[u64], until: Option<Instant>) {
         let before: u64 = transport.sent().iter().sum();
@@ -220,10 +220,12 @@ impl Subject<'_> {
                 |round: u64, count: u64| (u128::from(count) * u128::from(round) / u128::from(rounds)) as u64;
             let now: Vec<u64> =
                 planned.iter().map(|count| up_to(round, *count) - up_to(round - 1, *count)).collect();
+            let end = |done: u64| until.filter(|_| 2 * done >= total);
             transport.send(&now, &mut |more| {
-                self.goes_on(Progress::Rays { done: done + more, of: total, error }, until)
+                let done = done + more;
+                self.goes_on(Progress::Rays { done, of: total, error }, end(done))
             });
-            if self.is_ended(until) {
+            if self.is_ended(end(transport.sent().iter().sum())) {
                 return;
             }
             done += now.iter().sum::<u64>();
