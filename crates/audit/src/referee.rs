@@ -152,9 +152,9 @@ pub(crate) fn read(
     })
 }
 
-/// The moves of the lattice at so many spots; None of a spot whose moves were not all made when time was up, which is not
-/// looked at where pieces are recorded: a later run takes them for done. `make` is asked for each by the numbers of its
-/// spot and its move.
+/// The moves of the lattice at so many spots; None of a spot whose moves were not all made when time was up.
+/// That is not looked at where pieces are recorded: a later run takes them for done. `make` is asked for each by
+/// the numbers of its spot and its move.
 pub(crate) fn shifts<T>(
     spots: usize,
     work: &Work<'_>,
@@ -260,7 +260,7 @@ mod tests {
 
     use super::*;
 
-    /// What is not done when time is up is left out; who wants all of it waits.
+    /// Walks that are not done when time is up are left out; who wants all of them waits.
     #[test]
     fn walks_end_with_the_time_that_they_are_given() {
         let mut scene = SceneBuilder::new("disk", ["lm"]);

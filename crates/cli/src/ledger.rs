@@ -113,8 +113,8 @@ impl Ledger {
         Seconds { stages, total: self.seconds() }
     }
 
-    /// A line on the stages, with what was told of them before; the small ones together with what lies in none, or, where
-    /// `all` are told, all of them.
+    /// A line on the stages, with what was told of them before; the small ones together with what lies in none,
+    /// or, where `all` are told, all of them.
     pub(crate) fn line(&mut self, all: bool) -> String {
         let whole = self.seconds();
         let least = if all { 0.0 } else { SMALL * whole };

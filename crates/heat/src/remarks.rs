@@ -56,7 +56,8 @@ pub fn no_error_of_cut(outcome: &Outcome) -> Wording {
     }
 }
 
-/// Words for an order that was asked for and does nothing, as rays carried the transfers of an `outcome`; none elsewhere.
+/// Words for an order that was asked for and does nothing, as rays carried the transfers of an `outcome`; none
+/// elsewhere.
 pub fn idle_order(outcome: &Outcome, asked: Option<usize>) -> Option<Wording> {
     let order = asked.filter(|order| *order > 0 && outcome.sampling.is_some())?;
     Some(

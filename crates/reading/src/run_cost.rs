@@ -16,8 +16,9 @@ use crate::reader::ReadMode;
 /// around them. Measured: a grid and a picture of the Cornell box.
 const SHARED: f64 = 0.25;
 
-/// Readings take longer than their price by this power of the number of surfaces over those of a box, and by so many
-/// times the part of them that are curved: rays are slower there, and more go on from dark places. Measured on ten scenes.
+/// Readings take longer than their price by this power of the number of surfaces over those of a box, and by so
+/// many times the part of them that are curved: rays are slower there, and more go on from dark places.
+/// Measured on ten scenes.
 const MORE_SURFACES: f64 = 0.4;
 const BOX: f64 = 16.0;
 const CURVED: f64 = 5.5;

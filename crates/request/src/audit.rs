@@ -58,7 +58,7 @@ pub struct CheckRequest {
     /// Most seconds that the check may take.
     #[serde(skip)]
     #[cfg_attr(feature = "clap", arg(skip))]
-    most: Option<f64>,
+    pub most: Option<f64>,
 }
 
 impl CheckRequest {

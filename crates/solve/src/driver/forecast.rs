@@ -21,14 +21,14 @@ use super::cost::seconds_of_rays;
 const OF_A_RAY: f64 = 0.4;
 const DEEPER: f64 = 0.1;
 
-/// f, m and c. Measured: flat pairs of eight rooms took a third to a tenth of their price, those of the Cornell box with
-/// its curved light a sixteenth, and curved ones of a teapot half to all of it.
+/// f, m and c. Measured: flat pairs of eight rooms took a third to a tenth of their price, those of the Cornell
+/// box with its curved surface a sixteenth, and curved ones of a teapot half to all of it.
 const OF_FLAT: f64 = 1.0 / 6.0;
 const OF_MIXED: f64 = 1.0 / 16.0;
 const OF_CURVED: f64 = 0.7;
 
-/// Part of the time left in which rays are sent by their forecast. Chosen: their error, the systems, the self-checks and
-/// a slow machine have the rest.
+/// Part of the time left in which rays are sent by their forecast. Chosen: their error, the systems, the
+/// self-checks and a slow machine have the rest.
 const SENT: f64 = 0.5;
 
 /// About the seconds that the blocks between the elements of a scene take two threads, by so many rays or exactly.
@@ -53,8 +53,8 @@ pub(crate) fn seconds_of_rays_among(rays: u64, surfaces: usize) -> f64 {
     seconds_of_rays(rays as f64) * (OF_A_RAY + DEEPER * (surfaces.max(1) as f64).log2())
 }
 
-/// As many rays among so many surfaces as are sent in the time that is `left`, at most so many: elements are then cut for
-/// no more.
+/// As many rays among so many surfaces as are sent in the time that is `left`, at most so many: elements are then
+/// cut for no more.
 pub(super) fn rays_in_time(most: u64, surfaces: usize, left: Option<Duration>) -> u64 {
     let in_time = |left: Duration| SENT * left.as_secs_f64() / seconds_of_rays_among(1, surfaces);
     left.map_or(most, |left| most.min(in_time(left) as u64))

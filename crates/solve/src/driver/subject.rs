@@ -207,9 +207,9 @@ impl Subject<'_> {
         Some(Instant::now() + left.mul_f64(SENT).min(left.saturating_sub(AFTER * solution)))
     }
 
-    /// Sends the planned rays, unless the work is stopped, the second half `until` an instant if time is limited: by fewer
-    /// rays than elements were cut for, light may grow without end. Elsewhere the error so
-    /// far is told after rounds 1, 2, 4, 8, …: what this costs is a part of what the rays do.
+    /// Sends the planned rays, unless the work is stopped, the second half `until` an instant if time is limited:
+    /// by fewer rays than elements were cut for, light may grow without end. Elsewhere the error so far is told
+    /// after rounds 1, 2, 4, 8, …: what this costs is a part of what the rays do.
     fn send_in_rounds(&self, transport: &mut SampledTransport, planned: &[u64], until: Option<Instant>) {
         let before: u64 = transport.sent().iter().sum();
         let total = before + planned.iter().sum::<u64>();
