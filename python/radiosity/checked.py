@@ -22,6 +22,8 @@ class Looked(TypedDict):
 
     readings: int
     """Numbers that it judged."""
+    left_out: int
+    """Numbers that were left out because time was up."""
     rays: int
     """Rays that it traced."""
     signed_mean: Named | None

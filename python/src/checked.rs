@@ -46,6 +46,7 @@ pub(crate) fn of_solution(
     work: &Work<'_>,
 ) -> Option<Checked> {
     let effort = check.of_solution(solved, is_saved, 0.0, usize::MAX)?;
-    let run = JudgedRun::of_all_light(solved, settings, &Referee::of_light(&solved.scene), &effort, work);
+    let referee = Referee::of_light(&solved.scene);
+    let run = JudgedRun::of_all_light(solved, settings, None, &referee, &effort, work);
     (!run.readings.is_empty()).then_some(run.checked)
 }

@@ -6,7 +6,7 @@ use pyo3::types::PyDict;
 use radiosity::audit::HeatFault;
 use radiosity::heat as library;
 use radiosity::heat::SurfaceHeat;
-use radiosity::heat::remarks::{adiabatic_backs, light_without_heat, without_level};
+use radiosity::heat::remarks::{adiabatic_backs, idle_order, light_without_heat, without_level};
 use radiosity::heat::remarks::{corrected, heat_unchecked, heat_underestimated, no_error_of_cut};
 use radiosity::kernel::WorstError;
 use radiosity::reading::accuracy_warning::missed;
@@ -51,7 +51,7 @@ pub(crate) fn heat_of(
         let checked = options.options.in_threads(work.ranks, checked)?;
         Ok::<_, library::HeatError>((heat, checked.err()))
     })?;
-    warn_of(py, &heat)?;
+    warn_of(py, &heat, request.asked_order())?;
     Ok(Heat::of(heat, scene, unchecked.as_ref()))
 }
 
@@ -78,21 +78,21 @@ pub(crate) fn heats_of(
     let mut swept: SweptHeat<library::Heat> = work(py, observer.as_ref(), |progress| {
         sweep.balances(&scene.scene, &options, &check, &Work::alone().observed_by(progress))
     })?;
-    warn_of(py, &swept.largest)?;
+    warn_of(py, &swept.largest, request.asked_order())?;
     let unchecked = swept.unchecked.take();
     Ok(swept.into_balances().into_iter().map(|heat| Heat::of(heat, scene, unchecked.as_ref())).collect())
 }
 
-/// Warns where a balance may be off.
-fn warn_of(py: Python<'_>, heat: &library::Heat) -> PyResult<()> {
+/// Warns where a balance may be off, or has another order than was asked for.
+fn warn_of(py: Python<'_>, heat: &library::Heat, asked_order: Option<usize>) -> PyResult<()> {
     if let Some(worst) = heat.outcome.worst_error.filter(WorstError::is_real) {
         let surface = |element: usize| heat.outcome.solution.elements().list()[element].surface;
         warn(py, &missed(&worst, worst.pair.map(|element| heat.surfaces[surface(element)].name.as_str())))?;
     }
-    if !heat.is_cut {
-        warn(py, &no_error_of_cut())?;
-    }
-    heat.checked.as_ref().and_then(heat_underestimated).map_or(Ok(()), |found| warn(py, &found))
+    let underestimated = heat.checked.as_ref().and_then(|own| heat_underestimated(own, &heat.outcome));
+    let no_error = (!heat.is_cut).then(|| no_error_of_cut(&heat.outcome));
+    let warnings = [idle_order(&heat.outcome, asked_order), no_error, underestimated];
+    warnings.into_iter().flatten().try_for_each(|warning| warn(py, &warning))
 }
 
 impl Heat {

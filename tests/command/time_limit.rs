@@ -45,3 +45,22 @@ fn exact_blocks_that_take_too_long_give_way_to_rays() {
     assert!(solve(&["--time-limit", "1000"]).contains("kernel samples"));
     assert!(solve(&["--time-limit", "0.1"]).contains("rays leave an error of"));
 }
+
+/// A cathedral takes a referee, and the readings that it judges, far longer than this: they end with the run.
+#[test]
+fn a_check_takes_what_is_left_of_the_time() {
+    let folder = tempfile::tempdir().unwrap();
+    let here = folder.path();
+    let solve = |seconds: &str| {
+        let files = ["-o", "c.json", "--report", "r.json"];
+        let told = told(here, &[&["solve", "cathedral", "--time-limit", seconds], &files[..]].concat());
+        let report: serde_json::Value =
+            serde_json::from_slice(&std::fs::read(here.join("r.json")).unwrap()).unwrap();
+        (told, report["seconds"]["referee"].as_f64().unwrap_or(0.0))
+    };
+    let (told, referee) = solve("2");
+    assert!(referee < 2.0, "{told}");
+    let (told, referee) = solve("1e-3");
+    assert!(told.contains("not checked by path tracing: time was up"), "{told}");
+    assert!(referee < 0.1, "{told}");
+}

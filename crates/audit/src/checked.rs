@@ -83,6 +83,8 @@ fn relative<S: Serializer>(error: &f64, to: S) -> Result<S::Ok, S::Error> {
 pub struct Looked {
     /// Readings.
     pub readings: usize,
+    /// Readings that were to be judged, and were left out because time was up.
+    pub left_out: usize,
     /// Rays.
     pub rays: u64,
     /// The mean of signed differences, printed less true, that exceeds chance most; None without any.
@@ -127,7 +129,7 @@ impl Checked {
             visible: verdict.visible(),
             own_error,
             error_factor: verdict.factor(own_error),
-            audit: Looked { readings: verdict.readings, rays: verdict.rays, signed_mean, worst },
+            audit: Looked { readings: verdict.readings, left_out: 0, rays: verdict.rays, signed_mean, worst },
             of,
             is_seen: verdict.exceeds(0.0),
             finding: finding(verdict, own_error, of),
@@ -135,6 +137,12 @@ impl Checked {
             missed_rms: verdict.missed(own_error) * unit,
             off: Verdict::off(judged),
         }
+    }
+
+    /// As found, but so many readings were left out because time was up.
+    #[must_use]
+    pub fn without(self, left_out: usize) -> Self {
+        Self { audit: Looked { left_out, ..self.audit }, ..self }
     }
 
     /// The relative size, in the L2 mean of the readings `judged`, of the method's `own` estimates of their
@@ -188,8 +196,15 @@ impl fmt::Display for Checked {
             false if self.visible == 0.0 => "no difference".to_owned(),
             false => format!("no error above {} % seen", percent(self.visible)),
         };
-        let of = if self.audit.readings == 1 { self.of.trim_end_matches('s') } else { self.of };
-        write!(to, "checked at {} {of} by path tracing: {said}", self.audit.readings)
+        let Looked { readings, left_out, .. } = self.audit;
+        let of = if readings + left_out == 1 { self.of.trim_end_matches('s') } else { self.of };
+        match left_out {
+            0 => write!(to, "checked at {readings} {of} by path tracing: {said}"),
+            _ => {
+                let all = readings + left_out;
+                write!(to, "checked at {readings} of {all} {of} by path tracing, as time was up: {said}")
+            }
+        }
     }
 }
 

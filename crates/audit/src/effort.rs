@@ -48,6 +48,11 @@ impl Effort {
         (OF_A_RUN * run).clamp(LEAST, LONGEST)
     }
 
+    /// About the seconds that its walks of this cost take two threads for so many readings.
+    pub fn seconds(&self, readings: usize, cost: &WalkCost) -> f64 {
+        readings as f64 * self.walks() as f64 / cost.walks(1.0)
+    }
+
     /// As many readings as may be judged in so many seconds, at most `most`: fewer where light goes on for long, and
     /// none where it does so for good.
     pub fn readings(seconds: f64, most: usize, cost: &WalkCost) -> usize {

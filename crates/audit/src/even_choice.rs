@@ -30,6 +30,14 @@ pub fn evenly<T>(
     })
 }
 
+/// An order of so many things of which the first are spread evenly over all, however many they are: that of their
+/// numbers with the bits reversed.
+pub fn spread(count: usize) -> impl Iterator<Item = usize> {
+    let all = count.next_power_of_two();
+    let reversed = move |k: usize| if all > 1 { k.reverse_bits() >> (usize::BITS - all.ilog2()) } else { k };
+    (0..all).map(reversed).filter(move |number| *number < count)
+}
+
 #[cfg(test)]
 mod tests {
     use std::collections::BTreeSet;
@@ -52,6 +60,16 @@ mod tests {
         let taken = chosen(512 * 64, 512, 0);
         assert_eq!(taken.iter().map(|number| number / 64).collect::<Vec<_>>(), (0..512).collect::<Vec<_>>());
         assert_eq!(taken.iter().map(|number| number % 64).collect::<BTreeSet<_>>().len(), 64);
+    }
+
+    #[test]
+    fn the_first_of_an_order_are_spread_over_all() {
+        for count in [0, 1, 2, 5, 64, 100] {
+            let order: Vec<usize> = spread(count).collect();
+            assert_eq!(order.iter().collect::<BTreeSet<_>>(), (0..count).collect::<Vec<_>>().iter().collect());
+        }
+        let first: BTreeSet<usize> = spread(100).take(13).map(|number| number / 8).collect();
+        assert_eq!(first.len(), 13);
     }
 
     #[test]

@@ -106,18 +106,19 @@ impl HeatReferee {
     }
 
     /// The heat of these surfaces, by their indices in the scene, in order: the same on any number of threads
-    /// and ranks.
+    /// and ranks. Of those whose walks were not done when time was up there is none.
     pub fn estimates(&self, surfaces: &[usize], effort: &Effort, work: &Work<'_>) -> Vec<HeatEstimate> {
         let mut asked: Vec<usize> = surfaces.iter().flat_map(|own| self.asked_for(*own)).collect();
         asked.sort_unstable();
         asked.dedup();
         let spots: Vec<Spot> = asked.iter().map(|surface| Spot::Surface(*surface)).collect();
         let shifts = read(&self.rays, &[self.ground()], KINDS, &spots, effort, work);
-        let read: BTreeMap<usize, &[Shift]> =
-            asked.into_iter().zip(shifts.chunks_exact(Effort::SHIFTS)).collect();
-        let estimate = |surface: &usize| match self.without_level.contains(surface) {
-            true => HeatEstimate::of_nothing(*surface),
-            false => self.estimate(*surface, &read),
+        let done = asked.into_iter().zip(&shifts).filter_map(|(surface, own)| Some((surface, own.as_deref()?)));
+        let read: BTreeMap<usize, &[Shift]> = done.collect();
+        let is_read = |surface: &usize| self.asked_for(*surface).iter().all(|own| read.contains_key(own));
+        let estimate = |surface: &usize| match is_read(surface) && !self.without_level.contains(surface) {
+            true => self.estimate(*surface, &read),
+            false => HeatEstimate::of_nothing(*surface),
         };
         surfaces.iter().map(estimate).collect()
     }

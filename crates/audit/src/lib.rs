@@ -42,7 +42,7 @@ mod checked;
 
 pub use checked::{Checked, Looked, Named};
 pub use effort::Effort;
-pub use even_choice::evenly;
+pub use even_choice::{evenly, spread};
 pub use heat::{HeatEstimate, HeatFault, HeatReferee};
 pub use referee::{Estimate, Mean, Referee};
 pub use sample::SamplePoint;

@@ -4,11 +4,12 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use radiosity_scene::Scene;
 use radiosity_work::ranks::PartName;
-use radiosity_work::{Stage, Work};
+use radiosity_work::{Progress, Stage, Work};
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 
 use crate::effort::Effort;
+use crate::even_choice::spread;
 use crate::groups::Groups;
 use crate::lamps::Lamps;
 use crate::lattice::{Draws, Lattice};
@@ -20,6 +21,7 @@ use crate::spectrum::{Spectrum, TOGETHER};
 use crate::spot::{Begin, Spot, Start};
 use crate::suns::Suns;
 use crate::walk::{Ground, Scores};
+use crate::walk_cost::WalkCost;
 
 /// Weight k⁻¹ below which a walk may end. Measured (`docs/theory/error.md`): of ½, 1, 1.5, 2 and 4 the k of the
 /// least variance at equal time on most scenes.
@@ -87,13 +89,27 @@ impl Referee {
         over_surfaces(&self.rays, count, &mut Random::of(&[seed, OF_SAMPLES]))
     }
 
-    /// Estimates of the light at each spot, in order: the same on any number of threads and ranks.
+    /// Estimates of the light at each spot, in order, whatever time it takes: the same on any number of threads and
+    /// ranks.
     pub fn estimates(&self, spots: &[Spot], effort: &Effort, work: &Work<'_>) -> Vec<Estimate> {
+        let unhurried = Work { deadline: None, ..*work };
+        self.estimates_in_time(spots, effort, &unhurried).into_iter().flatten().collect()
+    }
+
+    /// As [`Referee::estimates`], but None of a spot whose walks were not done when time was up.
+    pub fn estimates_in_time(
+        &self,
+        spots: &[Spot],
+        effort: &Effort,
+        work: &Work<'_>,
+    ) -> Vec<Option<Estimate>> {
+        let seconds = effort.seconds(spots.len(), &WalkCost::of_light(&self.scene));
+        work.report(Progress::Expected { stage: Stage::Referee, seconds });
         let grounds: Vec<Ground<'_>> =
             (0..self.scene.bands.len()).step_by(TOGETHER).map(|first| self.ground(first)).collect();
         let bands = self.scene.bands.len();
         let shifts = read(&self.rays, &grounds, bands, spots, effort, work);
-        shifts.chunks_exact(Effort::SHIFTS).map(|own| estimate(own, bands)).collect()
+        shifts.iter().map(|own| own.as_deref().map(|own| estimate(own, bands))).collect()
     }
 
     fn ground(&self, first: usize) -> Ground<'_> {
@@ -111,7 +127,7 @@ impl Referee {
     }
 }
 
-/// The moves of the lattice at each spot, those of one spot after the other.
+/// The moves of the lattice at each spot; None as [`shifts`] says.
 pub(crate) fn read(
     rays: &Rays,
     grounds: &[Ground<'_>],
@@ -119,7 +135,7 @@ pub(crate) fn read(
     spots: &[Spot],
     effort: &Effort,
     work: &Work<'_>,
-) -> Vec<Shift> {
+) -> Vec<Option<Vec<Shift>>> {
     let starts: Vec<Start<'_>> = spots.iter().map(|spot| Start::of(spot, rays)).collect();
     shifts(spots.len(), work, |spot, shift| {
         let parts = grounds.iter().enumerate().map(|(part, ground)| {
@@ -136,19 +152,35 @@ pub(crate) fn read(
     })
 }
 
-/// The moves of the lattice at so many spots, those of one spot after the other; `make` is asked for each by the
-/// numbers of its spot and its move.
-pub(crate) fn shifts<T>(spots: usize, work: &Work<'_>, make: impl Fn(usize, usize) -> T + Sync) -> Vec<T>
+/// The moves of the lattice at so many spots; None of a spot whose moves were not all made when time was up.
+/// That is not looked at where pieces are recorded: a later run takes them for done. `make` is asked for each by
+/// the numbers of its spot and its move.
+pub(crate) fn shifts<T>(
+    spots: usize,
+    work: &Work<'_>,
+    make: impl Fn(usize, usize) -> T + Sync,
+) -> Vec<Option<Vec<T>>>
 where
     T: Serialize + DeserializeOwned + Send,
 {
     let (done, count) = (AtomicUsize::new(0), spots * Effort::SHIFTS);
+    // Those that are left out when time is up are then spread, too.
+    let order: Vec<usize> = spread(spots).collect();
+    let is_recorded = work.ranks.journal().is_some();
     let shift = |k: usize| {
-        let made = make(k / Effort::SHIFTS, k % Effort::SHIFTS);
+        let is_late = !is_recorded && work.is_late_here();
+        let made = (!is_late).then(|| make(order[k / Effort::SHIFTS], k % Effort::SHIFTS));
         work.report_done(Stage::Referee, done.fetch_add(1, Ordering::Relaxed) + 1, count);
         made
     };
-    work.ranks.map_even(PartName::Referee, count, 1, shift)
+    let mut made = work.ranks.map_even(PartName::Referee, count, 1, shift).into_iter();
+    let mut found: Vec<Option<Vec<T>>> = (0..spots).map(|_| None).collect();
+    for spot in order {
+        // All moves of the spot are taken, the missing ones too.
+        let own: Vec<Option<T>> = made.by_ref().take(Effort::SHIFTS).collect();
+        found[spot] = own.into_iter().collect();
+    }
+    found
 }
 
 /// The means of one move of the lattice at a start.
@@ -214,5 +246,36 @@ impl Mean {
         let value = values.iter().sum::<f64>() / count;
         let squares: f64 = values.iter().map(|own| (own - value).powi(2)).sum();
         Self { value, error: (squares / (count * (count - 1.0))).sqrt() }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::time::Instant;
+
+    use radiosity_geom::DVec3;
+    use radiosity_geom::shapes::{Disk, FULL_TURN};
+    use radiosity_scene::{Material, SceneBuilder};
+    use radiosity_work::Deadline;
+
+    use super::*;
+
+    /// Walks that are not done when time is up are left out; who wants all of them waits.
+    #[test]
+    fn walks_end_with_the_time_that_they_are_given() {
+        let mut scene = SceneBuilder::new("disk", ["lm"]);
+        let glow = scene.material("glow", Material::new(vec![0.5], vec![1.0]).expect("it is one"));
+        let disk = Disk::new(DVec3::ZERO, DVec3::Z, 1.0, 0.0, FULL_TURN).expect("it is one");
+        scene.surface("disk", disk, &glow);
+        let referee = Referee::of_light(&scene.build().expect("it is one"));
+        let spots: Vec<Spot> = referee.sample(9, 0).into_iter().map(|point| point.spot).collect();
+        let effort = Effort::of_walks(64.0);
+        let past = Deadline::at(Some(Instant::now()));
+        let late = Work::alone().until(&past);
+        assert!(referee.estimates_in_time(&spots, &effort, &late).iter().all(Option::is_none));
+        let all = referee.estimates(&spots, &effort, &late);
+        assert_eq!(all.len(), spots.len());
+        let unhurried = referee.estimates_in_time(&spots, &effort, &Work::alone());
+        assert_eq!(unhurried.into_iter().flatten().collect::<Vec<_>>(), all);
     }
 }

@@ -5,7 +5,8 @@
 //! readings that make it do so, at most a quarter of all, are estimated again by four times as many walks with
 //! other draws: that takes as long as the first look. If these readings by themselves are found to be off again,
 //! the first verdict stands: it is of all readings, none of them chosen. If not, it was chance: their new
-//! estimates take the place of the first, and the verdict is made anew.
+//! estimates take the place of the first, and the verdict is made anew. Where time is up before all of them are
+//! estimated again, the first verdict stands.
 
 use radiosity_work::Work;
 
@@ -42,7 +43,8 @@ impl Referee {
         let again: Vec<Spot> = chosen.iter().map(|reading| spots[*reading].clone()).collect();
         let rays = |judged: &[Judged]| judged.iter().map(|own| own.estimate.rays).sum::<u64>();
         let before = rays(judged);
-        let estimates = self.estimates(&again, &effort.again(), work);
+        let estimates = self.estimates_in_time(&again, &effort.again(), work);
+        let Some(estimates) = estimates.into_iter().collect::<Option<Vec<Estimate>>>() else { return first };
         let added: u64 = estimates.iter().map(|own| own.rays).sum();
         let looked_at =
             |(reading, estimate): (&usize, Estimate)| Judged { estimate, ..judged[*reading].clone() };

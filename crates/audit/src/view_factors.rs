@@ -65,7 +65,7 @@ impl ViewFactorReferee {
     }
 
     /// The factors of these surfaces, by their indices in the scene, in order: the same on any number of
-    /// threads and ranks.
+    /// threads and ranks. Those whose rays were not done when time was up are left out.
     pub fn rows(&self, surfaces: &[usize], effort: &Effort, work: &Work<'_>) -> Vec<ViewFactorRow> {
         let starts: Vec<Start<'_>> =
             surfaces.iter().map(|surface| Start::of(&Spot::Surface(*surface), &self.rays)).collect();
@@ -73,8 +73,8 @@ impl ViewFactorReferee {
             let random = Random::of(&[effort.seed, surfaces[row] as u64, shift as u64, OF_ROWS]);
             self.parts(&starts[row], effort.log, random)
         });
-        let rows = surfaces.iter().zip(parts.chunks_exact(Effort::SHIFTS));
-        rows.map(|(surface, parts)| row(*surface, parts)).collect()
+        let rows = surfaces.iter().zip(&parts);
+        rows.filter_map(|(surface, parts)| Some(row(*surface, parts.as_deref()?))).collect()
     }
 
     /// The parts of 2^`log` rays from a start.

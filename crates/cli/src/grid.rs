@@ -10,6 +10,7 @@ use radiosity_reading::read_error::ReadError;
 use radiosity_request::ReadRequest;
 use radiosity_request::cells::require_cells;
 use radiosity_scene::Scene;
+use radiosity_work::Stage;
 use radiosity_work::ranks::Ranks;
 
 use crate::{
@@ -77,6 +78,7 @@ pub(crate) fn run(args: &GridArgs, loaded: Loaded, ranks: &Ranks) -> Result<(), 
     let mut run = Run::to(goal, loaded, &args.run, ranks)?;
     let reading = request.reading(method, &run.solved, run.is_saved());
     let pace = run.pace(readings);
+    run.tell_readings(&reading, readings, Stage::Cells);
     let read = || grid(&run.reader(&reading, pace.as_ref()), counts.clone(), reading.rates, &run.work());
     let cells = run.in_threads(read)?;
     let scene = &run.solved.scene;

@@ -11,7 +11,7 @@ use std::time::Instant;
 use clap::{Args, ValueEnum};
 use radiosity_audit::{Checked, HeatFault};
 use radiosity_heat::Heat;
-use radiosity_heat::remarks::{adiabatic_backs, carried_by_rays, light_without_heat, without_level};
+use radiosity_heat::remarks::{adiabatic_backs, carried_by_rays, idle_order, light_without_heat, without_level};
 use radiosity_heat::remarks::{corrected, heat_unchecked, heat_underestimated, no_error_of_cut};
 use radiosity_kernel::WorstError;
 use radiosity_output::documents::heat as output;
@@ -177,7 +177,7 @@ pub(crate) fn run(args: &HeatArgs, given: &TypedOptions, ranks: &Ranks) -> Resul
     first.insert(0, format!("{}: {} surfaces, {elapsed:.3} s", scene.name, heat.surfaces.len()));
     first.insert(1, progress.stages());
     let written = args.output.iter().chain(&args.conductances).chain(&args.picture.picture);
-    let findings = findings(&scene, &heat, unchecked.as_ref());
+    let findings = findings(&scene, &heat, args.request.asked_order(), unchecked.as_ref());
     args.transfers.tell(first, &read, findings, written, ranks);
     judge(args, &heat)
 }
@@ -195,8 +195,8 @@ fn judge(args: &HeatArgs, heat: &Heat) -> Result<(), CliError> {
 fn shown(event: Event) -> Option<Event> {
     let is_shown = match event {
         Event::Done { stage, .. } => matches!(stage, Stage::Blocks | Stage::Comparison | Stage::Runs),
-        Event::Rays { .. } | Event::Began { .. } | Event::Ended { .. } => true,
-        Event::Expected { .. } | Event::Iteration { .. } => false,
+        Event::Expected { .. } | Event::Rays { .. } | Event::Began { .. } | Event::Ended { .. } => true,
+        Event::Iteration { .. } => false,
     };
     is_shown.then_some(event)
 }
@@ -265,8 +265,14 @@ impl<'a> HeatFiles<'a> {
     }
 }
 
-/// The lines of the summary on the balance, which no referee may have been able to read.
-fn findings(scene: &Scene, heat: &Heat, unchecked: Option<&HeatFault>) -> Vec<String> {
+/// The lines of the summary on the balance, which no referee may have been able to read, and of which an order may have
+/// been asked for.
+fn findings(
+    scene: &Scene,
+    heat: &Heat,
+    asked_order: Option<usize>,
+    unchecked: Option<&HeatFault>,
+) -> Vec<String> {
     let sum = |sign: f64| -> f64 { heat.surfaces.iter().map(|own| (sign * own.flow).max(0.0)).sum() };
     let (given, taken) = (sum(1.0), sum(-1.0));
     let whole = if !heat.is_closed() {
@@ -306,11 +312,9 @@ fn findings(scene: &Scene, heat: &Heat, unchecked: Option<&HeatFault>) -> Vec<St
     }
     lines.extend(heat.checked.as_ref().map(Checked::to_string));
     lines.extend(unchecked.map(heat_unchecked));
-    if let Some(found) = heat.checked.as_ref().and_then(heat_underestimated) {
-        lines.push(format!("warning: {found}"));
-    }
-    if !heat.is_cut {
-        lines.push(format!("warning: {}", no_error_of_cut()));
-    }
+    let underestimated = heat.checked.as_ref().and_then(|own| heat_underestimated(own, &heat.outcome));
+    let no_error = (!heat.is_cut).then(|| no_error_of_cut(&heat.outcome));
+    let warnings = [idle_order(&heat.outcome, asked_order), underestimated, no_error];
+    lines.extend(warnings.into_iter().flatten().map(|warning| format!("warning: {warning}")));
     lines
 }

@@ -8,6 +8,7 @@ use std::time::{Duration, Instant};
 
 use radiosity_reading::report::Seconds;
 use radiosity_work::Stage;
+use radiosity_work::digits::significant;
 
 /// Part of the whole below which the stages of a line are told together. Chosen.
 const SMALL: f64 = 0.02;
@@ -24,6 +25,8 @@ pub(crate) struct Ledger {
     running: Vec<RunningStage>,
     /// The stages in the order in which they began first, with their time.
     stages: Vec<(Stage, Duration)>,
+    /// Seconds of stages by what was told before.
+    expected: BTreeMap<Stage, f64>,
 }
 
 /// A stage that began and has not ended.
@@ -42,6 +45,7 @@ impl Ledger {
             part: Some(Stage::Load),
             running: Vec::new(),
             stages: vec![(Stage::Load, Duration::ZERO)],
+            expected: BTreeMap::new(),
         }
     }
 
@@ -49,6 +53,11 @@ impl Ledger {
     pub(crate) fn enter(&mut self, part: Option<Stage>) {
         self.book();
         self.part = part;
+    }
+
+    /// Notes that a stage is to take so many seconds more, as was told.
+    pub(crate) fn expect(&mut self, stage: Stage, seconds: f64) {
+        *self.expected.entry(stage).or_default() += seconds;
     }
 
     /// Begins a stage.
@@ -104,13 +113,21 @@ impl Ledger {
         Seconds { stages, total: self.seconds() }
     }
 
-    /// A line on the stages, the small ones together with what lies in none; where `all` are told, with all of them.
+    /// A line on the stages, with what was told of them before; the small ones together with what lies in none,
+    /// or, where `all` are told, all of them.
     pub(crate) fn line(&mut self, all: bool) -> String {
         let whole = self.seconds();
         let least = if all { 0.0 } else { SMALL * whole };
-        let large: Vec<(Stage, f64)> = self.stages().filter(|(_, seconds)| *seconds >= least).collect();
+        let expected = self.expected.clone();
+        let told = |stage: &Stage| expected.get(stage).copied();
+        let is_large =
+            |(stage, seconds): &(Stage, f64)| seconds.max(told(stage).unwrap_or(0.0)) >= least;
+        let large: Vec<(Stage, f64)> = self.stages().filter(is_large).collect();
         let rest = whole - large.iter().map(|(_, seconds)| seconds).sum::<f64>();
-        let named = large.iter().map(|(stage, seconds)| format!("{stage} {seconds:.3} s"));
+        let named = large.iter().map(|(stage, seconds)| match told(stage) {
+            Some(told) => format!("{stage} {seconds:.3} s (forecast {} s)", significant(told, 2)),
+            None => format!("{stage} {seconds:.3} s"),
+        });
         let named: Vec<String> = named.chain([format!("other {:.3} s", rest.max(0.0))]).collect();
         format!("stages: {}", named.join(", "))
     }
@@ -162,5 +179,10 @@ mod tests {
         let [short, whole] = [false, true].map(|all| ledger.line(all));
         assert!(short.starts_with("stages: solve 0.0") && short.contains(", other 0.0"), "{short}");
         assert!(whole.starts_with("stages: load 0.000 s, solve 0.0"), "{whole}");
+        // What was told is told again, also of what took nothing.
+        ledger.expect(Stage::Load, 3.0);
+        ledger.expect(Stage::Load, 0.5);
+        let told = ledger.line(false);
+        assert!(told.starts_with("stages: load 0.000 s (forecast 3.5 s), solve 0.0"), "{told}");
     }
 }

@@ -13,6 +13,7 @@ use radiosity_request::ReadRequest;
 use radiosity_request::aim::at_probes;
 use radiosity_scene::{Scene, SensorPlane};
 use radiosity_solve::studies::adaptation::Goal;
+use radiosity_work::Stage;
 use radiosity_work::ranks::Ranks;
 
 use crate::{
@@ -135,6 +136,7 @@ pub(crate) fn run(
     let reading = args.read.reading(method, &run.solved, run.is_saved());
     let probes = sensors.probes();
     let pace = run.pace(probes.len());
+    run.tell_readings(&reading, probes.len(), Stage::Points);
     let read = || probe(&run.reader(&reading, pace.as_ref()), &probes, scene.middle, &run.work());
     let readings = run.in_threads(read)?;
     let readings = readings.map_err(|(index, fault)| sensors.unreadable(index, fault))?;

@@ -106,6 +106,7 @@ impl Progress {
 
     /// Announces, also without a terminal, about how long a stage will take, where that is long.
     fn expect(&self, stage: Stage, seconds: f64) {
+        self.ledger().expect(stage, seconds);
         self.announce(stage.name(), seconds);
     }
 

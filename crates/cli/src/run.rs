@@ -6,6 +6,7 @@ mod summary;
 use std::fmt::Debug;
 use std::path::Path;
 use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
 use std::time::{Duration, Instant};
 
 use clap::Args;
@@ -87,6 +88,8 @@ pub(crate) struct Run {
     pub(crate) threads: usize,
     report: Report,
     check: CheckRequest,
+    /// Whether the check was left out because time was up.
+    is_unchecked: AtomicBool,
     start: Start,
 }
 
@@ -98,6 +101,8 @@ struct Start {
     deadline: Option<Arc<Deadline>>,
     /// End of what is read, of a run whose time is limited.
     read_until: Option<Instant>,
+    /// End of all of it.
+    limit: Option<Deadline>,
     report_file: Option<OutputFile>,
     /// Whether the solution was read from a file.
     is_saved: bool,
@@ -119,6 +124,7 @@ impl Start {
             progress: Progress::of(report, loaded.started, ranks),
             deadline,
             read_until: None,
+            limit: None,
             report_file: report.reserve(ranks)?.map(|file| loaded.apart(file)).transpose()?,
             is_saved: matches!(loaded.content, Content::Solved(_)),
             is_strict: loaded.is_strict,
@@ -181,7 +187,8 @@ impl Run {
         args.method.check()?;
         args.check.check(&loaded.options(&args.method, ranks))?;
         let read_until = args.method.part_ends(loaded.started, DONE);
-        let start = Start { read_until, ..Start::of(&loaded, &args.report, deadline, ranks)? };
+        let limit = args.method.part_ends(loaded.started, 1.0).map(|ends| Deadline::at(Some(ends)));
+        let start = Start { read_until, limit, ..Start::of(&loaded, &args.report, deadline, ranks)? };
         let solved = match (loaded.content, goal) {
             (Content::Solved(solved), _) => *solved,
             (Content::Scene(scene), Some(goal)) => {
@@ -213,7 +220,7 @@ impl Run {
         let threads = start.ranks.threads(threads);
         start.progress.begin_output();
         let report = Report::new(&solved, threads);
-        Self { solved, threads, report, check, start }
+        Self { solved, threads, report, check, is_unchecked: false.into(), start }
     }
 
     /// Whether the solution was read from a file.
@@ -249,14 +256,21 @@ impl Run {
             let make = || settings.reader(&self.solved.outcome.solution, self.solved.visibility());
             self.work().during(Stage::Tables, make)
         };
-        let Some(pace) = pace else { return reader(settings) };
+        match pace {
+            Some(pace) => reader(&self.paced(settings, pace)).paced(pace),
+            None => reader(settings),
+        }
+    }
+
+    /// The settings of what is read at this pace: by rays, unless cells are asked for or are soon done.
+    fn paced(&self, settings: &ReadSettings, pace: &Pace) -> ReadSettings {
         let are_soon_done =
             self.seconds_to_read(settings, pace.left()) < SOON * pace.time_left().as_secs_f64();
         let by = match settings.by {
             GatherMethod::Auto if !are_soon_done => GatherMethod::Rays,
             by => by,
         };
-        reader(&ReadSettings { by, ..*settings }).paced(pace)
+        ReadSettings { by, ..*settings }
     }
 
     /// The progress that is shown.

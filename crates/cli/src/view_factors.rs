@@ -110,7 +110,8 @@ pub(crate) fn run(args: &ViewFactorsArgs, given: &TypedOptions, ranks: &Ranks) -
     let chosen: BTreeSet<[usize; 2]> = pairs.iter().copied().collect();
     let wanted = |i, j| chosen.is_empty() || chosen.contains(&[i, j]);
     let show = |event| match event {
-        Event::Expected { seconds, .. } => {
+        Event::Expected { stage, seconds } => {
+            progress.ledger().expect(stage, seconds);
             let what = if seconds > LONG { OTHER_WAY } else { "view factors" };
             progress.announce(what, seconds);
         }

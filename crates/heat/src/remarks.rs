@@ -4,7 +4,7 @@ use radiosity_audit::{Checked, HeatFault};
 use radiosity_scene::Scene;
 use radiosity_solve::Outcome;
 use radiosity_work::digits::significant;
-use radiosity_work::wording::{Wording, option, words};
+use radiosity_work::wording::{Wording, option, set, words};
 
 /// Words for luminaires and openings of a scene, whose light has no part in its heat; none where there are none.
 pub fn light_without_heat(scene: &Scene) -> Option<String> {
@@ -44,14 +44,28 @@ pub fn adiabatic_backs(names: &[&str]) -> Option<String> {
     Some(format!("heat reaches {who} adiabatic: back = \"front\" or a temperature says otherwise"))
 }
 
-/// Words for the part that errors of heat leave out where elements were not cut once more.
-pub fn no_error_of_cut() -> Wording {
-    words(
+/// Words for the part that errors of heat leave out where elements of an `outcome` were not cut once more.
+pub fn no_error_of_cut(outcome: &Outcome) -> Wording {
+    let allow = words(
         "the errors are those of the transfers alone: there is no memory or no time to cut elements once more, which tells what \
          even fluxes miss; allow more with ",
-    ) + option("memory")
-        + ", or take a lower "
-        + option("order")
+    ) + option("memory");
+    match outcome.sampling {
+        Some(_) => allow + ", or take more " + option("rays"),
+        None => allow + ", or take a lower " + option("order"),
+    }
+}
+
+/// Words for an order that was asked for and does nothing, as rays carried the transfers of an `outcome`; none
+/// elsewhere.
+pub fn idle_order(outcome: &Outcome, asked: Option<usize>) -> Option<Wording> {
+    let order = asked.filter(|order| *order > 0 && outcome.sampling.is_some())?;
+    Some(
+        set("order", order)
+            + " does nothing: rays carry the pairs, between elements of even flux; take "
+            + set("transport", "exact")
+            + ", or leave it out",
+    )
 }
 
 /// Words for rays that carried the transfers of a balance, why they did, and what they leave; none where rules carried
@@ -68,15 +82,17 @@ pub fn carried_by_rays(outcome: &Outcome) -> Option<String> {
     ))
 }
 
-/// Words for heat that a referee finds to be off by more than its errors tell.
-pub fn heat_underestimated(checked: &Checked) -> Option<Wording> {
+/// Words for heat of an `outcome` that a referee finds to be off by more than its errors tell.
+pub fn heat_underestimated(checked: &Checked, outcome: &Outcome) -> Option<Wording> {
+    let cure = || match outcome.sampling {
+        Some(_) => words("take more ") + option("rays") + ", or " + set("transport", "exact"),
+        None => words("take a higher ") + option("order") + ", or more elements by " + option("subdivide"),
+    };
     let own = significant(100.0 * checked.own_error, 2);
     let told = |finding: &str| {
         words(format!(
-            "the balance by itself tells an error of {own} %, and path tracing finds more: {finding}; take a higher "
-        )) + option("order")
-            + ", or more elements by "
-            + option("subdivide")
+            "the balance by itself tells an error of {own} %, and path tracing finds more: {finding}; "
+        )) + cure()
     };
     checked.finding().map(told)
 }

@@ -115,7 +115,8 @@ pub struct CheckedReadings {
 
 impl CheckedReadings {
     /// Judges as many of the `count` readings as the effort says, evenly chosen, of those that `reading`
-    /// gives. The bits do not depend on threads and ranks.
+    /// gives. The bits do not depend on threads and ranks, but on the clock where time is limited: those that are
+    /// not done when it is up are left out.
     pub fn of(
         referee: &Referee,
         count: usize,
@@ -127,10 +128,13 @@ impl CheckedReadings {
         let (numbers, printed): (Vec<usize>, Vec<PrintedReading>) =
             chosen.filter_map(|number| Some((number, reading(number)?))).unzip();
         let spots: Vec<Spot> = printed.iter().map(|own| own.spot.clone()).collect();
-        let estimates = referee.estimates(&spots, &effort.effort, work);
+        let estimates = referee.estimates_in_time(&spots, &effort.effort, work);
+        let left_out = estimates.iter().filter(|estimate| estimate.is_none()).count();
         let is_told = |(_, estimate): &(_, Estimate)| estimate.is_finite();
+        let told = numbers.into_iter().zip(printed).zip(estimates);
+        let told = told.filter_map(|(own, estimate)| Some((own, estimate?))).filter(is_told);
         let (mut numbers_judged, mut judged, mut spots, mut own) = (vec![], vec![], vec![], vec![]);
-        for ((number, printed), estimate) in numbers.into_iter().zip(printed).zip(estimates).filter(is_told) {
+        for ((number, printed), estimate) in told {
             let PrintedReading { spot, printed, printed_groups, own: error, class } = printed;
             numbers_judged.push(number);
             judged.push(Judged { printed, printed_groups, estimate, weight: 1.0, class });
@@ -139,7 +143,7 @@ impl CheckedReadings {
         }
         let told = Checked::relative(&judged, &own);
         let verdict = referee.verdict(&spots, &mut judged, told, Verdict::WORST, &effort.effort, work);
-        let checked = Checked::of(&judged, &own, &verdict, READINGS);
+        let checked = Checked::of(&judged, &own, &verdict, READINGS).without(left_out);
         Self { numbers: numbers_judged, judged, verdict, checked }
     }
 

@@ -4,21 +4,24 @@
 //! as [`probe`](crate::probe::probe) reads it, and light group by light group where the solution keeps these
 //! apart; the [`Referee`] knows nothing of the solution.
 
-use radiosity_audit::{Checked, Judged, Referee, Spot, Verdict, evenly};
+use radiosity_audit::{Checked, Judged, Referee, Spot, Verdict, evenly, spread};
 use radiosity_scene::Scene;
 use radiosity_solve::solution::Solution;
 use radiosity_solve::solution::group_light::GroupLight;
 use radiosity_solve::solved::Solved;
-use radiosity_work::Work;
+use radiosity_work::{Pace, Work};
 
 use crate::checked_readings::{CheckEffort, CheckedReadings, PrintedReading};
 use crate::own_error::OwnError;
-use crate::probe::{Probe, ProbeReading, probe_each};
+use crate::probe::{Probe, ProbeFault, ProbeReading, probe_each};
 use crate::quality::ReadSettings;
 
 /// Part of the readings that are points of surfaces where there are planes. Chosen: planes are asked for, and
 /// surfaces send them their light.
 const OF_SURFACES: f64 = 2.0 / 3.0;
+
+/// Places that are read at once where time is limited. Chosen: enough for some threads, and soon done.
+const AT_ONCE: usize = 16;
 
 /// A reading with its place.
 #[derive(Clone, Debug)]
@@ -59,48 +62,52 @@ impl JudgedRun {
         effort: &CheckEffort,
         work: &Work<'_>,
     ) -> Self {
-        Self::by_groups(solved, settings, group_solutions(solved, referee), referee, effort, work)
+        Self::by_groups(solved, settings, group_solutions(solved, referee), None, referee, effort, work)
     }
 
-    /// As [`JudgedRun::of`], of the light of all groups together alone: it is read once.
+    /// As [`JudgedRun::of`], of the light of all groups together alone: it is read once, at this pace if there is one.
     pub fn of_all_light(
         solved: &Solved,
         settings: &ReadSettings,
+        pace: Option<&Pace>,
         referee: &Referee,
         effort: &CheckEffort,
         work: &Work<'_>,
     ) -> Self {
-        Self::by_groups(solved, settings, Vec::new(), referee, effort, work)
+        Self::by_groups(solved, settings, Vec::new(), pace, referee, effort, work)
     }
 
     fn by_groups(
         solved: &Solved,
         settings: &ReadSettings,
         groups: Vec<GroupSolution>,
+        pace: Option<&Pace>,
         referee: &Referee,
         effort: &CheckEffort,
         work: &Work<'_>,
     ) -> Self {
         let (scene, own) = (&solved.scene, OwnError::of(solved, settings));
         let all = places(scene, referee, effort);
-        let read = |solution: &Solution| readings(solution, solved, settings, &all, work);
+        let read = |solution: &Solution| readings(solution, solved, settings, &all, pace, work);
         let whole = read(&solved.outcome.solution);
+        let left_out = whole.iter().filter(|own| own.is_none()).count();
         let groups: Vec<Vec<Option<Vec<f64>>>> = groups.into_iter().map(|own| own.read(&all, read)).collect();
         let printed = |place: usize| {
-            let whole =
-                PrintedReading::of_probe(whole[place].as_ref()?, scene, &own, Some(&all[place].class))?;
+            let reading = whole[place].as_ref()?.as_ref().ok()?;
+            let whole = PrintedReading::of_probe(reading, scene, &own, Some(&all[place].class))?;
             let printed_groups = groups.iter().filter_map(|own| own[place].clone()).collect();
             Some(PrintedReading { printed_groups, ..whole })
         };
         let every = CheckEffort { readings: all.len(), ..*effort };
         let found = CheckedReadings::of(referee, all.len(), printed, &every, work);
+        let late = found.checked.audit.left_out;
         let readings = found.numbers.iter().zip(found.judged);
         let readings = readings.map(|(place, judged)| JudgedReading { probe: all[*place].probe, judged });
         Self {
             readings: readings.collect(),
             unread: all.len() - found.numbers.len(),
             verdict: found.verdict,
-            checked: found.checked,
+            checked: found.checked.without(left_out + late),
         }
     }
 }
@@ -124,18 +131,32 @@ fn places(scene: &Scene, referee: &Referee, effort: &CheckEffort) -> Vec<Place> 
     all
 }
 
-/// The light that a solution prints at each place; None where it cannot be read.
+/// The light that a solution prints at each place; None where it was not read when time was up.
 fn readings(
     solution: &Solution,
     solved: &Solved,
     settings: &ReadSettings,
     places: &[Place],
+    pace: Option<&Pace>,
     work: &Work<'_>,
-) -> Vec<Option<ProbeReading>> {
+) -> Vec<Option<Result<ProbeReading, ProbeFault>>> {
     let reader = settings.reader(solution, solved.visibility());
     let probes: Vec<Probe> = places.iter().map(|place| place.probe).collect();
-    let readings = probe_each(&reader, &probes, solved.scene.middle, work);
-    readings.into_iter().map(Result::ok).collect()
+    let Some(pace) = pace else {
+        return probe_each(&reader, &probes, solved.scene.middle, work).into_iter().map(Some).collect();
+    };
+    let reader = reader.paced(pace);
+    let mut found: Vec<_> = probes.iter().map(|_| None).collect();
+    // Those that are left out are spread over all.
+    for some in spread(probes.len()).collect::<Vec<_>>().chunks(AT_ONCE) {
+        if pace.time_left().is_zero() {
+            break;
+        }
+        let chosen: Vec<Probe> = some.iter().map(|place| probes[*place]).collect();
+        let readings = probe_each(&reader, &chosen, solved.scene.middle, work);
+        some.iter().zip(readings).for_each(|(place, reading)| found[*place] = Some(reading));
+    }
+    found
 }
 
 /// The light of a group by itself, at its factor.
@@ -164,7 +185,7 @@ impl GroupSolution {
     fn read(
         &self,
         places: &[Place],
-        read: impl Fn(&Solution) -> Vec<Option<ProbeReading>>,
+        read: impl Fn(&Solution) -> Vec<Option<Result<ProbeReading, ProbeFault>>>,
     ) -> Vec<Option<Vec<f64>>> {
         match self {
             Self::Dark { bands } => vec![Some(vec![0.0; *bands]); places.len()],
@@ -172,7 +193,7 @@ impl GroupSolution {
                 let at_factor = |reading: ProbeReading| {
                     reading.irradiance.into_iter().map(|value| factor * value).collect()
                 };
-                read(solution).into_iter().map(|reading| reading.map(at_factor)).collect()
+                read(solution).into_iter().map(|reading| Some(at_factor(reading?.ok()?))).collect()
             }
         }
     }

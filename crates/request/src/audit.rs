@@ -10,7 +10,7 @@ use radiosity_solve::solved::Solved;
 use radiosity_solve::view_factors::{self, ViewFactors};
 use radiosity_visibility::Shadows;
 use radiosity_work::wording::{Wording, option, set, words};
-use radiosity_work::{Stage, Work};
+use radiosity_work::{Progress, Stage, Work};
 use serde::Deserialize;
 
 use super::ranges::{Number, Readings, Seconds, Seed};
@@ -54,6 +54,11 @@ pub struct CheckRequest {
     /// follows from this and from counts of the scene [default: a twentieth of the run, 0.1 to 5]
     #[cfg_attr(feature = "clap", arg(long, value_name = "SECONDS", allow_negative_numbers = true))]
     pub audit: Option<Number<Seconds>>,
+
+    /// Most seconds that the check may take.
+    #[serde(skip)]
+    #[cfg_attr(feature = "clap", arg(skip))]
+    pub most: Option<f64>,
 }
 
 impl CheckRequest {
@@ -116,7 +121,10 @@ impl CheckRequest {
         work.during(Stage::Referee, || {
             let (run, cost) = (heat.outcome.seconds_by_counts(), WalkCost::of_heat(scene));
             let surfaces = heat.to_check(scene, Effort::readings(self.seconds(run), Self::READINGS, &cost));
-            heat.check(scene, &surfaces, &self.effort(run, surfaces.len(), &cost), work)
+            let effort = self.effort(run, surfaces.len(), &cost);
+            let seconds = effort.of_surfaces().seconds(surfaces.len(), &cost);
+            work.report(Progress::Expected { stage: Stage::Referee, seconds });
+            heat.check(scene, &surfaces, &effort, work)
         })
     }
 
@@ -125,9 +133,16 @@ impl CheckRequest {
         Effort::of_seconds(self.seconds(run), readings, cost).seeded(OF_CHECKS)
     }
 
+    /// As requested, but no more than so many seconds.
+    #[must_use]
+    pub fn within(self, most: f64) -> Self {
+        Self { most: Some(most), ..self }
+    }
+
     /// Seconds of the check beside a run of about so many.
     fn seconds(&self, run: f64) -> f64 {
-        self.audit.map_or_else(|| Effort::seconds_beside(run), f64::from)
+        let wanted = self.audit.map_or_else(|| Effort::seconds_beside(run), f64::from);
+        self.most.map_or(wanted, |most| wanted.min(most))
     }
 
     /// Walks for each row that is judged of view factors from so many surfaces; None where all of them are exact,

@@ -162,6 +162,11 @@ impl HeatRequest {
         Ok(Self { order, solver: method.solver })
     }
 
+    /// Degree of the polynomials that was asked for, if one was.
+    pub fn asked_order(&self) -> Option<usize> {
+        self.order.map(ranges::Degree::count)
+    }
+
     /// Degree of the polynomials.
     fn order(&self) -> usize {
         self.order.map_or_else(|| HeatOptions::default().options.order, ranges::Degree::count)
@@ -171,7 +176,7 @@ impl HeatRequest {
     /// computed.
     ///
     /// # Errors
-    /// Rays where rules carry all pairs.
+    /// Rays where rules carry all pairs; rays that are asked for, which carry even fluxes, with a higher order.
     pub fn options(
         &self,
         transfers: &TransferRequest,
@@ -180,6 +185,10 @@ impl HeatRequest {
     ) -> Result<HeatOptions, Refusal> {
         let usual = HeatOptions::default().options;
         transfers.check()?;
+        if let Some(rays) = asked_rays(transfers.transport, transfers.rays.is_some()) {
+            let order = self.asked_order().filter(|order| *order > 0);
+            refuse(rays, [order.map(|order| set("order", order))])?;
+        }
         let Accuracy { eps, shadow_eps } = transfers.accuracy_or(usual.eps);
         let options = Options {
             order: self.order(),

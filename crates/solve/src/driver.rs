@@ -43,6 +43,7 @@ mod transport_choice;
 mod options;
 pub mod cost;
 mod choose_transport;
+mod forecast;
 mod memory_need;
 mod decisions;
 mod emission;
@@ -67,6 +68,7 @@ use radiosity_work::Work;
 
 use by_links::solve_by_links;
 pub(crate) use choose_transport::exact_price;
+pub(crate) use forecast::{seconds_of_exact, seconds_of_rays_among};
 pub use column_choice::ColumnChoice;
 pub(crate) use decisions::Layout;
 pub use direct::Direct;

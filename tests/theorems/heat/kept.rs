@@ -135,7 +135,7 @@ fn a_check_of_one_balance_makes_the_errors_of_others_as_many_times_larger() {
 fn a_sweep_is_checked_where_most_flows() {
     let plates = typed(NEAR_PLATES);
     let options = even_on_whole_surfaces();
-    let check = CheckRequest { audit: "0.5".parse().ok() };
+    let check = CheckRequest { audit: "0.5".parse().ok(), ..CheckRequest::default() };
     for (text, expected) in [
         ("foil.temperature=293.15..143/3", 2),
         ("body.temperature=143..293.15/2", 1),

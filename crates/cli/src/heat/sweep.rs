@@ -37,7 +37,8 @@ pub(super) fn run(
     progress.begin_output();
     let (setting, values) = (sweep.setting().to_string(), sweep.values());
     let (surfaces, told_value) = (swept.largest.surfaces.len(), values[swept.point]);
-    let findings = findings(&swept.scene, &swept.largest, swept.unchecked.as_ref());
+    let asked_order = args.request.asked_order();
+    let findings = findings(&swept.scene, &swept.largest, asked_order, swept.unchecked.as_ref());
     let judged = judge(args, &swept.largest);
     let balances = swept.into_balances();
     figures.write(|writer| match format {

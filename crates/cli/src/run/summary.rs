@@ -146,6 +146,7 @@ impl Run {
         lines.extend(estimate.map(told));
         lines.extend(self.report.read_error.map(|error| error.to_string()));
         lines.extend(self.report.checked.as_ref().map(Checked::to_string));
+        lines.extend(self.is_unchecked().then(|| "not checked by path tracing: time was up".to_owned()));
         if self.start.progress.verbose {
             lines.extend(self.report.functionals.iter().map(minimum));
             lines.push(format!("pairs: {:?}", self.report.pairs));

@@ -78,7 +78,7 @@ impl TransportChoice {
             _ => {
                 let visibility = visibility();
                 let how = elements_of(options, visibility);
-                (exact_price(scene, &how, &|_, _| true, visibility), "about")
+                (exact_price(scene, &how, &|_, _| true, visibility).all(), "about")
             }
         };
         let why = format!("exact blocks take as long as {about} {price:.0e} rays, the limit is {limit:.0e}");
@@ -98,6 +98,32 @@ fn elements_of(options: &Options, visibility: &Visibility) -> Discretization {
     Discretization { order, space, subdivide, layers }
 }
 
+/// The price of exact blocks, in rays.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct PairsPrice {
+    /// Of pairs of flat surfaces.
+    pub flat: f64,
+    /// Of pairs of a flat and a curved surface.
+    pub mixed: f64,
+    /// Of pairs of curved surfaces.
+    pub curved: f64,
+}
+
+impl PairsPrice {
+    /// The price of all pairs.
+    pub(crate) fn all(&self) -> f64 {
+        self.flat + self.mixed + self.curved
+    }
+
+    fn and(self, other: Self) -> Self {
+        Self {
+            flat: self.flat + other.flat,
+            mixed: self.mixed + other.mixed,
+            curved: self.curved + other.curved,
+        }
+    }
+}
+
 /// The price of the exact blocks between the elements of surfaces that are cut as `how` says, in rays, from some of
 /// the pairs of surfaces that are `wanted`.
 pub(crate) fn exact_price(
@@ -105,8 +131,19 @@ pub(crate) fn exact_price(
     how: &Discretization,
     wanted: &dyn Fn(usize, usize) -> bool,
     visibility: &Visibility,
-) -> f64 {
-    let sizes = cut_sizes(scene, how);
+) -> PairsPrice {
+    let counts: Vec<u64> = cut_sizes(scene, how).iter().map(|size| size.elements).collect();
+    price_of_pairs(scene, &counts, wanted, visibility)
+}
+
+/// The price of the exact blocks between so many elements of each surface, in rays, from some of the pairs of surfaces
+/// that are `wanted`.
+pub(super) fn price_of_pairs(
+    scene: &Scene,
+    counts: &[u64],
+    wanted: &dyn Fn(usize, usize) -> bool,
+    visibility: &Visibility,
+) -> PairsPrice {
     let outlines: Vec<Outline> = scene.surfaces.iter().map(Outline::of).collect();
     let pairs = scene.surfaces.len() * (scene.surfaces.len() - 1) / 2;
     let looked_at = pairs.min(LOOKED_AT);
@@ -114,13 +151,21 @@ pub(crate) fn exact_price(
         let [i, j] = pair(k * pairs / looked_at);
         let [a, b] = [&outlines[i], &outlines[j]];
         if !wanted(i, j) || !a.exchanges_with(b) {
-            return 0.0;
+            return PairsPrice::default();
         }
+        let are_flat = [a.is_flat(), b.is_flat()];
         let pair =
-            ElementPair { surfaces: [i, j], hulls: [&a.hull, &b.hull], are_flat: a.is_flat() && b.is_flat() };
-        (sizes[i].elements * sizes[j].elements) as f64 * price(&pair, visibility)
+            ElementPair { surfaces: [i, j], hulls: [&a.hull, &b.hull], are_flat: are_flat == [true; 2] };
+        let price = (counts[i] * counts[j]) as f64 * price(&pair, visibility);
+        match are_flat {
+            [true, true] => PairsPrice { flat: price, ..PairsPrice::default() },
+            [false, false] => PairsPrice { curved: price, ..PairsPrice::default() },
+            _ => PairsPrice { mixed: price, ..PairsPrice::default() },
+        }
     };
-    (0..looked_at).map(of_pair).fold(0.0, |sum, price| sum + price) * pairs as f64 / looked_at.max(1) as f64
+    let sum = (0..looked_at).map(of_pair).fold(PairsPrice::default(), PairsPrice::and);
+    let part = pairs as f64 / looked_at.max(1) as f64;
+    PairsPrice { flat: part * sum.flat, mixed: part * sum.mixed, curved: part * sum.curved }
 }
 
 /// The pair j < i that is number i (i − 1)/2 + j.

@@ -11,6 +11,7 @@ use radiosity_visibility::Visibility;
 use radiosity_work::ranks::Ranks;
 
 use super::failure::Failure;
+use super::forecast::rays_in_time;
 use super::memory_need::{MemoryNeed, peak_of_mesh, require_memory_of_mesh};
 use super::options::Options;
 use super::transport_choice::TransportChoice;
@@ -79,7 +80,9 @@ impl<'a> AssemblyPlan<'a> {
     pub(super) fn decided(self, scene: &Scene, options: &Options, left: Option<Duration>) -> Decisions<'a> {
         let visibility = options.visibility(scene);
         let choice = self.choice.unwrap_or_else(|| TransportChoice::of(scene, options, left, || &visibility));
-        let rays = choice.sampled.then(|| options.ray_budget(scene));
+        let left = left.filter(|_| options.rays.is_none());
+        let budget = || rays_in_time(options.ray_budget(scene), scene.surfaces.len(), left);
+        let rays = choice.sampled.then(budget);
         let is_known = self.how.is_some();
         let Ground { how, mesh: own } = match self.how {
             Some(how) => Ground { how, mesh: None },

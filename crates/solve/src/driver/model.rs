@@ -20,7 +20,7 @@ use radiosity_solvers::method::Access;
 use radiosity_transport::ColumnsAsShot;
 use radiosity_visibility::Visibility;
 use radiosity_work::ranks::Ranks;
-use radiosity_work::{Stage, Work};
+use radiosity_work::{Progress, Stage, Work};
 
 use crate::checks::{Balance, Checks, largest_bound};
 use crate::solution::Solution;
@@ -175,6 +175,9 @@ impl Model {
         let entries = first.reflected(first.emissions()).expect("the emission is the same");
         let entries = &entries.into_iter().map(|own| own.entry).collect::<Vec<_>>();
         let subject = Subject { elements, bands, entries, visibility, options, work };
+        if kept.is_none() {
+            work.report(Progress::Expected { stage: Stage::Blocks, seconds: ready.seconds_of_pairs() });
+        }
         if let Some(kept) = &mut kept {
             kept.blocks.move_to(scene, elements, visibility);
         }
@@ -208,6 +211,7 @@ impl Model {
         let wanted = |a, b| ready.sends(a) || ready.sends(b);
         let emissions = Emission::all(&ready.scene, ready.elements.list());
         let first = ready.first_light(&ready.scene, &emissions, work.ranks);
+        work.report(Progress::Expected { stage: Stage::Blocks, seconds: ready.seconds_of_pairs() });
         let columns = work.during(Stage::Blocks, || ColumnsAsShot::new(ready.demand(&wanted), *work));
         let source = ColumnSource { columns: &columns, before: columns.seconds(), all_first: None };
         let shooter = ready.shooter(&ready.scene, &emissions, &first);
@@ -442,7 +446,7 @@ impl Model {
         seconds: Stages,
         work: &Work<'_>,
     ) -> Outcome {
-        work.during(Stage::Checks, || self.checked(scene, entered, light, seconds, work.ranks))
+        work.during(Stage::Checks, || self.checked(scene, entered, light, seconds, work))
     }
 
     fn checked(
@@ -451,7 +455,7 @@ impl Model {
         entered: Entered,
         light: SolvedLight,
         seconds: Stages,
-        ranks: &Ranks,
+        work: &Work<'_>,
     ) -> Outcome {
         let SolvedLight { light, before, costs, functionals, shots, .. } = light;
         let slowest = costs.iter().max_by_key(|cost| cost.iterations);
@@ -460,7 +464,9 @@ impl Model {
         let solution = self.solution_of(scene, entered, light, before);
         let powers = solution.powers().unwrap_or_default();
         let residual = solution.residual();
-        let bound = if self.is_bounded { largest_bound(&solution, &self.blocks, ranks) } else { 0.0 };
+        // Its products take longer than many a solution.
+        let is_bounded = self.is_bounded && !work.is_late();
+        let bound = if is_bounded { largest_bound(&solution, &self.blocks, work.ranks) } else { 0.0 };
         let checks = Checks::with_powers(&solution, &self.blocks, powers, bound);
         let statistics = &self.blocks.statistics;
         Outcome {

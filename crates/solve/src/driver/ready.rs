@@ -17,6 +17,7 @@ use super::decisions::{AssemblyPlan, Decisions};
 use super::direct::{Direct, Transfers};
 use super::emission::Emission;
 use super::failure::Failure;
+use super::forecast::seconds_of_pairs;
 use super::first_light::{EnteringLight, FirstLight, LitScene};
 use super::kept_model::KeptModel;
 use super::light_method::LightMethod;
@@ -162,6 +163,11 @@ impl Ready {
             }
             all_first => Ok(shoots && all_first.is_none()),
         }
+    }
+
+    /// About the seconds that its blocks take two threads.
+    pub(super) fn seconds_of_pairs(&self) -> f64 {
+        seconds_of_pairs(&self.scene, &self.elements, &self.visibility, self.rays)
     }
 
     /// Whether an element sends light.

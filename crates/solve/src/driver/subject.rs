@@ -13,6 +13,7 @@
 //! Hanrahan, D. Salzman, L. Aupperle, SIGGRAPH 1991, 197-206, for links.)
 
 use std::ops::Range;
+use std::time::{Duration, Instant};
 
 use radiosity_elements::coating::Coating;
 use radiosity_elements::{Element, Elements};
@@ -56,6 +57,12 @@ const LEFT: f64 = 0.1;
 
 /// Rays of a round: about a second's on two cores.
 const ROUND: u64 = 1 << 21;
+
+/// Part of the time left in which rays are sent at the most where it is limited, and times of the solution that tells
+/// brightness that are left for what follows: two solutions that tell the error, the systems, and the self-checks.
+/// Chosen.
+const SENT: f64 = 0.6;
+const AFTER: u32 = 5;
 
 /// Relative residual of solutions that only tell brightness or error.
 const ROUGH: f64 = 1e-4;
@@ -151,17 +158,19 @@ impl Subject<'_> {
         let mut transport = SampledTransport::keeping(elements, visibility, kept.as_deref_mut(), work.ranks);
         let pilot = (PILOT * rays as f64).min(ROUND as f64);
         transport.send(&self.by_area(pilot), &mut |done| {
-            self.goes_on(Progress::Rays { done, of: rays, error: None })
+            self.goes_on(Progress::Rays { done, of: rays, error: None }, None)
         });
+        let sent = Instant::now();
         // Where the pilot tells nothing, all elements count as equally bright.
         let bright = self
             .brightness(&transport.blocks(Rays::All))
             .unwrap_or_else(|_| vec![1.0; self.elements.list().len()]);
         let planned = self.by_brightness(rays as f64, &bright);
         let total = transport.sent().iter().sum::<u64>() + planned.iter().sum::<u64>();
+        let until = self.end_of_rays(sent.elapsed());
         if !work.is_ended() {
             transport.settle_again(&planned, self.accuracy(rays), kept, work);
-            self.send_in_rounds(&mut transport, &planned);
+            self.send_in_rounds(&mut transport, &planned, until);
         }
         (transport, total)
     }
@@ -181,31 +190,46 @@ impl Subject<'_> {
         }
     }
 
-    /// Tells how far the work is; returns whether it goes on.
-    fn goes_on(&self, progress: Progress) -> bool {
+    /// Tells how far the work is; returns whether rays go on, `until` an instant if there is one.
+    fn goes_on(&self, progress: Progress, until: Option<Instant>) -> bool {
         self.work.report(progress);
-        !self.work.is_ended()
+        !self.is_ended(until)
     }
 
-    /// Sends the planned rays, unless the work is stopped. The error so far is told after rounds
-    /// 1, 2, 4, 8, …: what this costs is a part of what the rays do.
-    fn send_in_rounds(&self, transport: &mut SampledTransport, planned: &[u64]) {
+    /// Whether rays are no longer wanted, or it is later than `until`.
+    fn is_ended(&self, until: Option<Instant>) -> bool {
+        self.work.is_ended() || until.is_some_and(|until| Instant::now() >= until)
+    }
+
+    /// The instant at which rays end that begin now, where time is limited and a solution took so long.
+    fn end_of_rays(&self, solution: Duration) -> Option<Instant> {
+        let left = self.work.left()?;
+        Some(Instant::now() + left.mul_f64(SENT).min(left.saturating_sub(AFTER * solution)))
+    }
+
+    /// Sends the planned rays, unless the work is stopped, the second half `until` an instant if time is limited:
+    /// by fewer rays than elements were cut for, light may grow without end. Elsewhere the error so far is told
+    /// after rounds 1, 2, 4, 8, …: what this costs is a part of what the rays do.
+    fn send_in_rounds(&self, transport: &mut SampledTransport, planned: &[u64], until: Option<Instant>) {
         let before: u64 = transport.sent().iter().sum();
         let total = before + planned.iter().sum::<u64>();
         let rounds = (total - before).div_ceil(ROUND);
         let (mut done, mut error) = (before, None);
         for round in 1..=rounds {
-            let until =
+            let up_to =
                 |round: u64, count: u64| (u128::from(count) * u128::from(round) / u128::from(rounds)) as u64;
             let now: Vec<u64> =
-                planned.iter().map(|count| until(round, *count) - until(round - 1, *count)).collect();
-            transport
-                .send(&now, &mut |more| self.goes_on(Progress::Rays { done: done + more, of: total, error }));
-            if self.work.is_ended() {
+                planned.iter().map(|count| up_to(round, *count) - up_to(round - 1, *count)).collect();
+            let end = |done: u64| until.filter(|_| 2 * done >= total);
+            transport.send(&now, &mut |more| {
+                let done = done + more;
+                self.goes_on(Progress::Rays { done, of: total, error }, end(done))
+            });
+            if self.is_ended(end(transport.sent().iter().sum())) {
                 return;
             }
             done += now.iter().sum::<u64>();
-            if round.is_power_of_two() && round < rounds {
+            if round.is_power_of_two() && round < rounds && until.is_none() {
                 error = self.error(transport).ok();
             }
         }

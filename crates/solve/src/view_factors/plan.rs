@@ -9,7 +9,7 @@ use radiosity_visibility::{Shadows, Visibility};
 
 use super::options::Options;
 use crate::driver::cost::seconds_of_rays;
-use crate::driver::{Transport, TransportChoice, exact_price};
+use crate::driver::{Transport, TransportChoice, exact_price, seconds_of_exact, seconds_of_rays_among};
 
 /// Seconds that rules may take at [`USUAL_EPS`], by their price, where the choice is left to the scene. Measured: ten
 /// rooms and six built-in scenes took half of their price, the teapot twice.
@@ -48,10 +48,11 @@ impl Plan {
     ) -> Self {
         let finer = USUAL_EPS / options.accuracy.eps;
         let rays = options.rays.unwrap_or_else(|| usual_rays(scene.surfaces.len(), finer));
-        let exact = || seconds_of_rays(exact_price(scene, how, wanted, visibility));
+        let price = || exact_price(scene, how, wanted, visibility);
+        let exact = || seconds_of_exact(&price());
         let limit = LONG * finer.max(1.0);
         let rules = |why: &str, seconds: f64| (false, why.to_owned(), seconds);
-        let by_rays = |why: &str| (true, why.to_owned(), seconds_of_rays(rays as f64));
+        let by_rays = |why: &str| (true, why.to_owned(), seconds_of_rays_among(rays, scene.surfaces.len()));
         let (sampled, why, seconds) = match options.transport {
             _ if options.shadows == Shadows::Off => {
                 rules("rays always meet what stands in their way", exact())
@@ -60,9 +61,10 @@ impl Plan {
             Transport::Sampled => by_rays("asked for"),
             Transport::Auto if options.rays.is_some() => by_rays("a number of rays is given"),
             Transport::Auto => {
-                let seconds = exact();
-                let why = format!("rules take about {seconds:.0e} s, the limit is {limit:.0e} s");
-                if seconds > limit { by_rays(&why) } else { rules(&why, seconds) }
+                let price = price();
+                let most = seconds_of_rays(price.all());
+                let why = format!("rules take up to {most:.0e} s, the limit is {limit:.0e} s");
+                if most > limit { by_rays(&why) } else { rules(&why, seconds_of_exact(&price)) }
             }
         };
         Self { choice: TransportChoice { sampled, why }, rays, seconds }

@@ -37,6 +37,11 @@ pub(super) const ROWS: &[Typed] = &[
         told: &["no emissivity is given for", "help: give the material emissivity = …, 0 < ε ≤ 1"],
     },
     Typed {
+        bad: "heat cool.toml --rays 10000 --order 2",
+        cured: "heat cool.toml --order 2",
+        told: &["--rays does not go with --order 2", "help: leave one of them out"],
+    },
+    Typed {
         bad: "heat cool.toml --sweep floor.temperature=300..310/2 --format text",
         cured: "heat cool.toml --sweep floor.temperature=300..310/2 --format csv",
         told: &["--format text has no place for a sweep", "help: take --format csv or json"],

@@ -7,6 +7,8 @@
 //! err² + SE ≤ A²     (see radiosity_audit::Verdict) .
 //! ```
 
+use std::time::Duration;
+
 use radiosity_audit::{Effort, Estimate, Judged, Mean, Referee, Spot, Verdict, WalkCost, evenly};
 use radiosity_work::Work;
 use radiosity_work::ranks::PartName;
@@ -41,7 +43,7 @@ pub(super) struct Judge {
 
 impl Judge {
     /// The judge of what `goal` wants of runs of a scene, of which `run` is the first; None where light is not what
-    /// walks find: without shadows, with masks, or of some reflections alone.
+    /// walks find: without shadows, with masks, or of some reflections alone; and where time is up.
     pub(super) fn of(goal: &Goal, run: &Solved, work: &Work<'_>) -> Option<Self> {
         let (solution, visibility) = (&run.outcome.solution, run.visibility());
         let is_all = visibility.casts() && solution.masked().is_none() && !solution.is_truncated();
@@ -49,24 +51,27 @@ impl Judge {
         let all = Sensor::of(goal, solution, visibility);
         let count = all.len();
         let sensors: Vec<Sensor> = evenly(all.into_iter(), count, readings, 0).collect();
-        (is_all && !sensors.is_empty()).then(|| Self::at(sensors, goal.accuracy, run, work))
+        if is_all && !sensors.is_empty() { Self::at(sensors, goal.accuracy, run, work) } else { None }
     }
 
-    fn at(sensors: Vec<Sensor>, accuracy: f64, run: &Solved, work: &Work<'_>) -> Self {
+    fn at(sensors: Vec<Sensor>, accuracy: f64, run: &Solved, work: &Work<'_>) -> Option<Self> {
         let scene = &run.scene;
         let referee = Referee::of_light(scene);
         let spots: Vec<Spot> = sensors.iter().map(Sensor::spot).collect();
         let first = Effort::of_seconds(FIRST, spots.len(), &WalkCost::of_light(scene));
-        let mut judge = Self { estimates: referee.estimates(&spots, &first, work), is_sharp: false, sensors };
+        let estimates_of = |effort: &Effort| -> Option<Vec<Estimate>> {
+            referee.estimates_in_time(&spots, effort, work).into_iter().collect()
+        };
+        let mut judge = Self { estimates: estimates_of(&first)?, is_sharp: false, sensors };
         let more = (judge.visible() / accuracy).powi(2);
         let longest = (OF_A_RUN * run.outcome.seconds_by_counts()).min(LONGEST);
-        if more > 1.0 && FIRST * more <= longest {
+        if more > 1.0 && FIRST * more <= longest && work.fits(Duration::from_secs_f64(FIRST * more)) {
             let effort = Effort::of_walks(first.walks() as f64 * more).seeded(1);
-            judge.estimates = referee.estimates(&spots, &effort, work);
+            judge.estimates = estimates_of(&effort).unwrap_or(judge.estimates);
         }
         // Walks come in powers of 2.
         judge.is_sharp = judge.visible() <= std::f64::consts::SQRT_2 * accuracy;
-        judge
+        Some(judge)
     }
 
     /// The least error that it would see.

@@ -1,0 +1,126 @@
+"""Seconds that runs tell before they begin beside those that they take, stage by stage. See README.md.
+
+    python forecasts.py SHARED -o forecasts.csv [--command radiosity] [--only solve,heat]
+    python forecasts.py table forecasts.csv
+
+SHARED is the folder with `scenes/mgf` and `cases/rooms`. Each run has one thread. Forecasts are of two, but for pictures and texels,
+which are tried on the threads of the run. What a machine does besides lengthens the stages, not the CPU time of a run: stages are
+scaled by the CPU time of the run over its wall time.
+"""
+
+import argparse
+import csv
+import pathlib
+import re
+import resource
+import statistics
+import subprocess
+import sys
+import tempfile
+import time
+
+STAGE = re.compile(r"([a-z][a-z -]*?) ([0-9.]+) s(?: \(forecast ([0-9.e+-]+) s\))?(?:, |$)")
+# Stages whose forecasts are of the threads of the run, not of two.
+TRIED = {"picture", "texels"}
+COLUMNS = ["verb", "scene", "code", "wall", "cpu", "told", "stages", "parts"]
+FACTOR = 2
+
+
+def runs(shared):
+    """Verbs with their arguments, some forty."""
+    mgf, rooms = shared / "scenes" / "mgf", shared / "cases" / "rooms"
+    mgf = [mgf / name for name in ("soda.mgf", "soda.json", "classroom.mgf", "classroom.json")]
+    soda = mgf[0]
+    rooms = [rooms / f"{name}.json" for name in ("r0", "r13", "r25", "r40", "r57")]
+    small = ["--size", "160x120"]
+    for scene in ["cornell-box", "two-boxes", "teapot", "temple", "billiard", "cathedral", *mgf, *rooms[:3]]:
+        yield ["solve", scene, "-o", "x.json"]
+    for scene in ["cornell-box", "teapot", "billiard", "soda.json", rooms[1]]:
+        yield ["render", mgf[1] if scene == "soda.json" else scene, *small, "-o", "x.png"]
+    for scene in ["cornell-box", "two-boxes", "billiard", rooms[2], rooms[3]]:
+        yield ["grid", scene, "--cells", "4x4", "-o", "x.csv"]
+    for room in rooms:
+        yield ["probe", room, "--points", room.with_suffix(".csv"), "-o", "x.csv"]
+    for scene in ["cornell-box", rooms[4]]:
+        yield ["report", scene, "-o", "x.html"]
+    for scene in ["cornell-box", "temple", "teapot", soda, rooms[0]]:
+        yield ["view-factors", scene, "-o", "x.npz"]
+    yield ["heat", "oven"]
+    yield ["heat", "oven", "--order", "5", "--eps", "1e-6"]
+    yield ["heat", "oven", "--rays", "2000000"]
+    yield ["heat", shared / "cases" / "heat" / "sat.toml"]
+    yield ["heat", shared / "cases" / "heat" / "groove30.toml"]
+    for scene in ["sliding-light", "blue-panel"]:
+        yield ["animate", scene, "--frames", "0..3", *small, "-o", "frame-####.png"]
+
+
+def run(command, arguments):
+    """A run with its seconds, and its stages as they were told and took."""
+    verb, scene = arguments[0], pathlib.Path(arguments[1])
+    before, begun = resource.getrusage(resource.RUSAGE_CHILDREN), time.monotonic()
+    with tempfile.TemporaryDirectory() as here:
+        done = subprocess.run(
+            [command, verb, *map(str, arguments[1:]), "--threads", "1"], cwd=here, capture_output=True, text=True, check=False
+        )
+    wall, after = time.monotonic() - begun, resource.getrusage(resource.RUSAGE_CHILDREN)
+    cpu = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+    lines = [line.removeprefix("stages: ") for line in done.stderr.splitlines() if line.startswith("stages: ")]
+    if done.returncode != 0:
+        print(done.stderr, file=sys.stderr)
+    found = STAGE.findall(lines[-1]) if lines else []
+    stages = {name: float(took) for name, took, _ in found}
+    told = {name: float(own) * (1 if name in TRIED else FACTOR) for name, _, own in found if own}
+    parts = " ".join(f"{name.replace(' ', '-')}:{took * cpu / wall:.3g}/{told.get(name, 0):.3g}" for name, took in stages.items())
+    whole = sum(stages.values())
+    return {
+        "verb": verb, "scene": scene.name, "code": done.returncode, "wall": f"{wall:.3g}", "cpu": f"{cpu:.3g}",
+        "told": f"{sum(told.values()):.3g}", "stages": f"{(whole - stages.get('other', 0)) / whole if whole else 0:.3f}",
+        "parts": parts,
+    }
+
+
+def table(path):
+    """Prints the runs as a table, then how many were told within a factor of two."""
+    with open(path, newline="") as rows:
+        rows = list(csv.DictReader(rows))
+    print("| verb | scene | CPU s | told s | told/CPU | stages/all | largest stages: CPU s / told s |\n| --- | --- | ---: | ---: | ---: | ---: | --- |")
+    ratios = {}
+    for row in rows:
+        cpu, told = float(row["cpu"]), float(row["told"])
+        parts = [part.split(":") for part in row["parts"].split()]
+        parts.sort(key=lambda part: -max(map(float, part[1].split("/"))))
+        print(
+            f"| {row['verb']} | {row['scene']} | {cpu:.2f} | {told:.2f} | {told / cpu:.2f} | {float(row['stages']):.2f} | "
+            + ", ".join(f"{name} {numbers}" for name, numbers in parts[:3]) + " |"
+        )
+        ratios.setdefault(row["verb"], []).append(told / cpu)
+    everything = [ratio for own in ratios.values() for ratio in own]
+    near = sum(0.5 <= ratio <= 2 for ratio in everything)
+    told = sum(float(row["stages"]) >= 0.95 for row in rows)
+    print(f"\n{near} of {len(everything)} runs are told within a factor of 2; in {told} the stages are 0.95 of all and more.")
+    for verb, own in ratios.items():
+        print(f"{verb}: told/CPU {min(own):.2f} to {max(own):.2f}, median {statistics.median(own):.2f}")
+
+
+def main():
+    if sys.argv[1:2] == ["table"]:
+        return table(sys.argv[2])
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("shared", type=pathlib.Path)
+    parser.add_argument("-o", "--output", required=True)
+    parser.add_argument("--command", default="radiosity")
+    parser.add_argument("--only", help="verbs, separated by commas")
+    args = parser.parse_args()
+    only = args.only.split(",") if args.only else None
+    with open(args.output, "w", newline="") as output:
+        writer = csv.DictWriter(output, COLUMNS)
+        writer.writeheader()
+        for arguments in runs(args.shared.resolve()):
+            if only is None or arguments[0] in only:
+                writer.writerow(run(args.command, arguments))
+                output.flush()
+    return table(args.output)
+
+
+if __name__ == "__main__":
+    main()
