@@ -1,6 +1,8 @@
 //! A surface turned over: same points, same parameters, front and back exchanged.
 
-use crate::{Aabb, ConvexSolid, Foot, Hit, Jet, PlanarRegion, Ray, Rect, ShapeError, Surface, TangentPlanes};
+use crate::{
+    Aabb, ConvexSolid, Foot, Hit, Jet, Meridian, PlanarRegion, Ray, Rect, ShapeError, Surface, TangentPlanes,
+};
 use glam::DVec3;
 
 /// The surface `base` with its normal reversed. Parameters and tangents stay, so that here the normal is −x_u
@@ -39,6 +41,10 @@ impl Surface for Flipped {
 
     fn ball(&self) -> Option<(DVec3, f64)> {
         self.base.ball()
+    }
+
+    fn meridian(&self) -> Option<Meridian> {
+        self.base.meridian().map(Meridian::flipped)
     }
 
     fn solid(&self) -> Option<ConvexSolid> {

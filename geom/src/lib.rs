@@ -44,6 +44,8 @@ mod tangent_planes;
 
 mod convex_solid;
 
+mod meridian;
+
 mod surface;
 
 mod ray_tree;
@@ -69,6 +71,7 @@ pub use flipped::Flipped;
 pub use glam::{DQuat, DVec2, DVec3};
 pub use hull::extreme_points;
 pub use layers::{SAME_AREA, layer_order};
+pub use meridian::Meridian;
 pub use motion::Motion;
 pub use outline::Outline;
 pub use patch::{Border, Patch};

@@ -4,7 +4,8 @@
 //! where the moved surface is: t stays the same, since the direction is carried back unnormalised.
 
 use crate::{
-    Aabb, ConvexSolid, Foot, Hit, Jet, Motion, PlanarRegion, Ray, Rect, ShapeError, Surface, TangentPlanes,
+    Aabb, ConvexSolid, Foot, Hit, Jet, Meridian, Motion, PlanarRegion, Ray, Rect, ShapeError, Surface,
+    TangentPlanes,
 };
 use glam::DVec3;
 
@@ -63,6 +64,10 @@ impl Surface for Placed {
 
     fn ball(&self) -> Option<(DVec3, f64)> {
         self.base.ball().map(|(center, radius)| (self.motion.point(center), self.motion.scale() * radius))
+    }
+
+    fn meridian(&self) -> Option<Meridian> {
+        self.base.meridian().map(|meridian| meridian.moved(&self.motion))
     }
 
     fn solid(&self) -> Option<ConvexSolid> {

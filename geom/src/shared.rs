@@ -1,6 +1,8 @@
 //! A surface shared by several holders is a surface.
 
-use crate::{Aabb, ConvexSolid, Foot, Hit, Jet, PlanarRegion, Ray, Rect, ShapeError, Surface, TangentPlanes};
+use crate::{
+    Aabb, ConvexSolid, Foot, Hit, Jet, Meridian, PlanarRegion, Ray, Rect, ShapeError, Surface, TangentPlanes,
+};
 use glam::DVec3;
 use std::sync::Arc;
 
@@ -24,6 +26,10 @@ impl<S: Surface + ?Sized> Surface for Arc<S> {
 
     fn ball(&self) -> Option<(DVec3, f64)> {
         (**self).ball()
+    }
+
+    fn meridian(&self) -> Option<Meridian> {
+        (**self).meridian()
     }
 
     fn tangent_planes(&self) -> Option<TangentPlanes> {

@@ -5,7 +5,7 @@
 //! everything else follows from these three, and a shape replaces what it knows in closed form.
 
 use crate::tolerances::ROUNDING;
-use crate::{Aabb, ConvexSolid, Hit, PlanarRegion, Ray, Rect, ShapeError, TangentPlanes};
+use crate::{Aabb, ConvexSolid, Hit, Meridian, PlanarRegion, Ray, Rect, ShapeError, TangentPlanes};
 use glam::DVec3;
 use radiosity_core::gauss::{Legendre, Rule};
 use std::fmt::Debug;
@@ -69,6 +69,11 @@ pub trait Surface: Debug + Send + Sync {
 
     /// Centre and radius of the ball whose whole boundary the surface is, if it is one.
     fn ball(&self) -> Option<(DVec3, f64)> {
+        None
+    }
+
+    /// The segment that sweeps the surface as it turns all the way round an axis, if one does; v runs along it.
+    fn meridian(&self) -> Option<Meridian> {
         None
     }
 

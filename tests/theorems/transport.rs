@@ -5,6 +5,7 @@
 mod among_others;
 mod balls;
 mod contour;
+mod coaxial;
 mod convex_rooms;
 mod curved;
 mod dented_rooms;

@@ -293,6 +293,9 @@ fn constants(
         let Carried { blocks, noise, exact_pairs } = work.during(Stage::Blocks, || sent.carried())?;
         return Ok(Constants { elements, blocks, choice, noise: Some(noise), exact_pairs });
     }
+    if options.subdivide.is_none() {
+        work.during(Stage::Visibility, || keep_whole(&mut scene, &visibility));
+    }
     require_memory(&scene, &how, options, work)?;
     let elements = work.during(Stage::Elements, || Elements::new(&scene, &how))?;
     let surface = |element: usize| elements.list()[element].surface;
@@ -300,6 +303,13 @@ fn constants(
     let demand = Demand { whole: FactorEnds::Surface, ..Demand::all(&elements, &visibility, accuracy) };
     let blocks = work.during(Stage::Blocks, || transport::assemble(demand.of(&wanted), None, work));
     Ok(Constants { elements, blocks, choice, noise: None, exact_pairs: 0 })
+}
+
+/// Leaves surfaces uncut between whose wholes a rule knows what is seen past coaxial cylinders.
+fn keep_whole(scene: &mut Scene, visibility: &Visibility) {
+    let are_whole = transport::best_whole(visibility, scene.surfaces.len());
+    let whole = scene.surfaces.iter_mut().zip(are_whole).filter(|(_, is_whole)| *is_whole);
+    whole.for_each(|(surface, _)| surface.subdivide = surface.subdivide.or(Some([1, 1])));
 }
 
 /// Elements of constants.

@@ -7,17 +7,18 @@
 //! Reflectance enters afterwards, per band. G has no scale: it is invariant under similarity. In a
 //! closed scene G maps the coefficients c of the constant 1 to themselves, and ‖G‖ ≤ 1 always.
 //!
-//! In order: `tolerances`, `occlusion` (hiding by blockers), `pair` (one pair of elements), `known` (blocks
-//! from elsewhere), `kept_blocks` (blocks and rays of an earlier scene), `price` (the cost of a block),
-//! `schedule` (all pairs), `sampled` (blocks from rays), `unreached` (rays where rules fail), `assembly` (all
-//! blocks) and `carrier` (blocks or links, as checks see them). Quadrature of one pair stands in
-//! `radiosity-kernel`.
+//! In order: `tolerances`, `occlusion` (hiding by blockers), `pair` (one pair of elements), `coaxial` (pairs
+//! about one axis), `known` (blocks from elsewhere), `kept_blocks` (blocks and rays of an earlier scene),
+//! `price` (the cost of a block), `schedule` (all pairs), `sampled` (blocks from rays), `unreached` (rays
+//! where rules fail), `assembly` (all blocks) and `carrier` (blocks or links, as checks see them). Quadrature
+//! of one pair stands in `radiosity-kernel`.
 //!
 //! Imports `core`, `geom`, `work`, `scene`, `visibility`, `elements` and `kernel`.
 
 pub mod tolerances;
 pub(crate) mod occlusion;
 pub(crate) mod pair;
+pub(crate) mod coaxial;
 pub(crate) mod known;
 pub mod kept_blocks;
 pub mod price;
@@ -29,6 +30,7 @@ mod carrier;
 
 pub use assembly::assemble;
 pub use carrier::Carrier;
+pub use coaxial::best_whole;
 pub use kept_blocks::KeptBlocks;
 pub use kept_blocks::kept_rays::RayCounts;
 pub use known::{Known, KnownBlocks};

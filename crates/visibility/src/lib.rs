@@ -44,7 +44,7 @@ use std::cmp::Ordering;
 use std::sync::Arc;
 
 use radiosity_geom::{
-    Aabb, Bvh, COINCIDENT, DVec3, Jet, Plane, Ray, RayTree, Rect, Surface, separated, touching,
+    Aabb, Bvh, COINCIDENT, DVec3, Jet, Meridian, Plane, Ray, RayTree, Rect, Surface, separated, touching,
 };
 use radiosity_scene::Scene;
 use radiosity_work::interruption::check_interrupt;
@@ -382,6 +382,11 @@ impl Visibility {
     /// Centre and radius of a surface, if it is a whole ball.
     pub fn ball(&self, surface: usize) -> Option<(DVec3, f64)> {
         self.obstacles[surface].shape.ball()
+    }
+
+    /// The segment that sweeps a surface as it turns all the way round an axis, if one does.
+    pub fn meridian(&self, surface: usize) -> Option<Meridian> {
+        self.obstacles[surface].shape.meridian()
     }
 
     /// Centre and radius of the single blocker, if it is a whole ball.

@@ -10,8 +10,8 @@
 use super::turn::{Profile, Turn};
 use super::{check_finite, check_not_negative};
 use crate::roots::quadratic;
-use crate::{Aabb, ConvexSolid, Hit, Jet, Outline, Ray, Rect, ShapeError, Surface};
-use glam::DVec3;
+use crate::{Aabb, ConvexSolid, Hit, Jet, Meridian, Outline, Ray, Rect, ShapeError, Surface};
+use glam::{DVec2, DVec3};
 
 /// The wall of a circular cone or frustum, or a strip of it.
 #[derive(Clone, Debug)]
@@ -93,6 +93,10 @@ impl Surface for Cone {
         let (origin, axis) = (self.turn.origin, self.turn.axis());
         let slope = (self.radius2 - self.radius1) / self.height;
         Some(ConvexSolid::Turned { origin, axis, outline: Outline::Line { radius: self.radius1, slope } })
+    }
+
+    fn meridian(&self) -> Option<Meridian> {
+        self.turn.meridian([DVec2::new(self.radius1, 0.0), DVec2::new(self.radius2, self.height)])
     }
 
     fn intersect(&self, ray: &Ray) -> Option<Hit> {

@@ -7,8 +7,8 @@
 
 use super::turn::{Profile, Turn};
 use super::{check_finite, check_positive};
-use crate::{Aabb, ConvexSolid, Hit, Jet, Outline, Ray, Rect, ShapeError, Surface};
-use glam::DVec3;
+use crate::{Aabb, ConvexSolid, Hit, Jet, Meridian, Outline, Ray, Rect, ShapeError, Surface};
+use glam::{DVec2, DVec3};
 
 /// The wall of a circular cylinder, or a strip of it.
 #[derive(Clone, Debug)]
@@ -46,6 +46,10 @@ impl Surface for Cylinder {
     fn solid(&self) -> Option<ConvexSolid> {
         let (origin, axis) = (self.turn.origin, self.turn.axis());
         Some(ConvexSolid::Turned { origin, axis, outline: Outline::Line { radius: self.radius, slope: 0.0 } })
+    }
+
+    fn meridian(&self) -> Option<Meridian> {
+        self.turn.meridian([0.0, self.height].map(|z| DVec2::new(self.radius, z)))
     }
 
     fn intersect(&self, ray: &Ray) -> Option<Hit> {

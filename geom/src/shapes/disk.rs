@@ -6,8 +6,8 @@
 
 use super::turn::{Profile, Turn};
 use super::{check_finite, check_positive};
-use crate::{Aabb, Hit, Jet, Ray, Rect, ShapeError, Surface};
-use glam::DVec3;
+use crate::{Aabb, Hit, Jet, Meridian, Ray, Rect, ShapeError, Surface};
+use glam::{DVec2, DVec3};
 
 /// A flat disk, ring, or sector of one.
 #[derive(Clone, Debug)]
@@ -56,6 +56,10 @@ impl Surface for Disk {
     fn bounds(&self, rect: &Rect) -> Aabb {
         let [outer, inner] = rect.v.map(|v| self.radius_at(v));
         self.turn.bounds(rect.u, |g, _| (outer * g).max(inner * g))
+    }
+
+    fn meridian(&self) -> Option<Meridian> {
+        self.turn.meridian([self.radius, self.inner].map(|r| DVec2::new(r, 0.0)))
     }
 
     fn intersect(&self, ray: &Ray) -> Option<Hit> {

@@ -7,9 +7,9 @@
 
 use super::{check_edge, check_finite};
 use crate::arc::arc_range;
-use crate::{Aabb, Hit, Jet, Ray, ShapeError};
-use glam::DVec3;
-use std::f64::consts::TAU;
+use crate::{Aabb, Hit, Jet, Meridian, ROUNDING, Ray, ShapeError};
+use glam::{DVec2, DVec3};
+use std::f64::consts::{PI, TAU};
 
 /// A place on the profile: distance from the axis, height along it, and their derivatives by v.
 pub(super) struct Profile {
@@ -43,6 +43,12 @@ impl Turn {
     /// Half the range of angles: dφ/du.
     pub(super) fn half(&self) -> f64 {
         self.half
+    }
+
+    /// The meridian between `ends`, where the range is all the way round.
+    pub(super) fn meridian(&self, ends: [DVec2; 2]) -> Option<Meridian> {
+        let is_whole = self.half >= PI * (1.0 - ROUNDING);
+        is_whole.then(|| Meridian::new(self.origin, self.axis(), ends))
     }
 
     /// Unit vector along the axis.

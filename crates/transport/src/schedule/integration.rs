@@ -11,6 +11,7 @@ use radiosity_kernel::estimates::probing_rays::{Hidden, ProbingRays};
 use radiosity_kernel::rules::covering;
 use radiosity_work::{Stage, Work};
 
+use crate::coaxial::{self, Between};
 use crate::kept_blocks::{IntegratedBlock, KeptBlocks};
 use crate::occlusion::outlines::occluded_block;
 use crate::pair::{curved, flat};
@@ -103,6 +104,10 @@ impl Schedule<'_> {
         let pair @ [receiver, emitter] = places.map(|index| &self.list[index]);
         if receiver.contact.is_some() {
             return covering::block(receiver, emitter);
+        }
+        let between = Between { blockers: &task.blockers, own: &task.own };
+        if let Some(block) = coaxial::block(pair, between, self.visibility, goal.accuracy.eps) {
+            return block;
         }
         let is_flat = pair.iter().all(|element| element.plane.is_some());
         let block = |blockers: &[usize]| match is_flat {
