@@ -51,7 +51,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     }
     let panels = scenes.iter().map(|scene| panel(&runs, scene)).collect();
     let title = "error against time".to_owned();
-    let caption = "irradiance at points, relative L2; two threads".to_owned();
+    let caption = "relative L2; two threads".to_owned();
     let diagram = Diagram { title, caption, columns: COLUMNS.min(scenes.len()), panels };
     Ok(fs::write(drawing, diagram.drawing().svg())?)
 }
