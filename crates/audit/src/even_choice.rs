@@ -66,7 +66,10 @@ mod tests {
     fn the_first_of_an_order_are_spread_over_all() {
         for count in [0, 1, 2, 5, 64, 100] {
             let order: Vec<usize> = spread(count).collect();
-            assert_eq!(order.iter().collect::<BTreeSet<_>>(), (0..count).collect::<Vec<_>>().iter().collect());
+            assert_eq!(
+                order.iter().collect::<BTreeSet<_>>(),
+                (0..count).collect::<Vec<_>>().iter().collect()
+            );
         }
         let first: BTreeSet<usize> = spread(100).take(13).map(|number| number / 8).collect();
         assert_eq!(first.len(), 13);

@@ -113,7 +113,8 @@ impl HeatReferee {
         asked.dedup();
         let spots: Vec<Spot> = asked.iter().map(|surface| Spot::Surface(*surface)).collect();
         let shifts = read(&self.rays, &[self.ground()], KINDS, &spots, effort, work);
-        let done = asked.into_iter().zip(&shifts).filter_map(|(surface, own)| Some((surface, own.as_deref()?)));
+        let done =
+            asked.into_iter().zip(&shifts).filter_map(|(surface, own)| Some((surface, own.as_deref()?)));
         let read: BTreeMap<usize, &[Shift]> = done.collect();
         let is_read = |surface: &usize| self.asked_for(*surface).iter().all(|own| read.contains_key(own));
         let estimate = |surface: &usize| match is_read(surface) && !self.without_level.contains(surface) {

@@ -11,7 +11,9 @@ use std::time::Instant;
 use clap::{Args, ValueEnum};
 use radiosity_audit::{Checked, HeatFault};
 use radiosity_heat::Heat;
-use radiosity_heat::remarks::{adiabatic_backs, carried_by_rays, idle_order, light_without_heat, without_level};
+use radiosity_heat::remarks::{
+    adiabatic_backs, carried_by_rays, idle_order, light_without_heat, without_level,
+};
 use radiosity_heat::remarks::{corrected, heat_unchecked, heat_underestimated, no_error_of_cut};
 use radiosity_kernel::WorstError;
 use radiosity_output::documents::heat as output;

@@ -120,8 +120,7 @@ impl Ledger {
         let least = if all { 0.0 } else { SMALL * whole };
         let expected = self.expected.clone();
         let told = |stage: &Stage| expected.get(stage).copied();
-        let is_large =
-            |(stage, seconds): &(Stage, f64)| seconds.max(told(stage).unwrap_or(0.0)) >= least;
+        let is_large = |(stage, seconds): &(Stage, f64)| seconds.max(told(stage).unwrap_or(0.0)) >= least;
         let large: Vec<(Stage, f64)> = self.stages().filter(is_large).collect();
         let rest = whole - large.iter().map(|(_, seconds)| seconds).sum::<f64>();
         let named = large.iter().map(|(stage, seconds)| match told(stage) {

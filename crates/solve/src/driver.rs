@@ -68,11 +68,11 @@ use radiosity_work::Work;
 
 use by_links::solve_by_links;
 pub(crate) use choose_transport::exact_price;
-pub(crate) use forecast::{seconds_of_exact, seconds_of_rays_among};
 pub use column_choice::ColumnChoice;
 pub(crate) use decisions::Layout;
 pub use direct::Direct;
 pub use failure::Failure;
+pub(crate) use forecast::{seconds_of_exact, seconds_of_rays_among};
 pub use in_threads::in_threads;
 pub(crate) use kept_model::{KeptModel, Standing};
 pub use light_method::LightMethod;

@@ -49,7 +49,7 @@ type Sheet = (Arc<dyn Surface>, bool);
 fn scene(sheets: Vec<Sheet>) -> Scene {
     let (mut builder, grey) = grey();
     for (k, (shape, is_flipped)) in sheets.into_iter().enumerate() {
-        let surface = builder.surface(&format!("s{k}"), shape, &grey);
+        let surface = builder.surface(format!("s{k}"), shape, &grey);
         if is_flipped {
             surface.flip();
         }

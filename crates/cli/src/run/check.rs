@@ -41,9 +41,10 @@ impl Run {
     /// written for readers, and adds that to the summary and the report.
     pub(crate) fn check_solution(&mut self, settings: &ReadSettings) -> Result<(), CliError> {
         let Some(effort) = self.check_effort(0.0, usize::MAX) else { return Ok(()) };
-        let pace = self.check_work().left().map(|left| {
-            Pace::of(effort.readings, self.threads, Instant::now() + left.mul_f64(READ))
-        });
+        let pace = self
+            .check_work()
+            .left()
+            .map(|left| Pace::of(effort.readings, self.threads, Instant::now() + left.mul_f64(READ)));
         let settings = pace.as_ref().map_or(*settings, |pace| self.paced(settings, pace));
         if pace.is_none() {
             let readings = effort.readings;

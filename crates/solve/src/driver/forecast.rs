@@ -42,8 +42,7 @@ pub(super) fn seconds_of_pairs(
     if let Some(rays) = rays {
         return seconds_of_rays_among(rays, surfaces);
     }
-    let counts: Vec<u64> =
-        (0..surfaces).map(|surface| elements.of_surface(surface).len() as u64).collect();
+    let counts: Vec<u64> = (0..surfaces).map(|surface| elements.of_surface(surface).len() as u64).collect();
     let sends = |surface: usize| scene.surfaces[surface].material.sends();
     seconds_of_exact(&price_of_pairs(scene, &counts, &|i, j| sends(i) || sends(j), visibility))
 }
