@@ -6,7 +6,7 @@
 //! ```
 //!
 //! It is right within a factor of three, which is enough for a part of it to be spent. What is told before
-//! ([`super::forecast`]) knows that rays take longer among many surfaces.
+//! (`super::forecast`) knows that rays take longer among many surfaces.
 
 /// Seconds of a term of the kernel's rules with what hides it, of a ray with the exact pairs beside it, and of a number
 /// of a matrix in an iteration. Measured: some seventy rooms of 0.04 to 2 s, and the Cornell box.
