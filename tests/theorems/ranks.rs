@@ -240,7 +240,8 @@ fn a_run_whose_time_was_up_goes_on_as_if_it_had_not_been() {
     assert_eq!(resumed, whole);
     assert!(rest.recalled > 0 && rest.recorded > 0, "{rest:?}");
     assert_eq!(rest.recalled + rest.recorded, made.recorded);
-    assert!(first.recorded <= rest.recalled, "{first:?} {rest:?}");
+    // Pieces after readings that were left out have other places, and are made again.
+    assert!(first.recorded < made.recorded, "{first:?} {made:?}");
     let (again, all) = to_accuracy(folder, Begin::Resume, None);
     assert_eq!((again, all.recorded, all.recalled), (whole, 0, made.recorded));
 }

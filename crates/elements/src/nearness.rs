@@ -20,9 +20,9 @@ use super::cells::Layers;
 /// W: length of a direction over the distance of what is near up to which it needs no layers.
 const WIDE: f64 = 2.0;
 
-/// Most elements of all surfaces that layers make; layers are fewer everywhere where there would be more. Chosen: their
-/// pairs take some seconds.
-const MOST_ELEMENTS: usize = 500;
+/// Most elements of all surfaces that layers make; layers are fewer everywhere where there would be more. Chosen: pairs
+/// of so many take some tenths of a second, and beyond a gap of a thousandth sides count little.
+const MOST_ELEMENTS: usize = 200;
 
 /// Parameters of the places at which distances are taken, along u and v. Chosen: a median of nine.
 const PLACES: [f64; 3] = [-0.6, 0.0, 0.6];

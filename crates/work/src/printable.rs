@@ -17,8 +17,7 @@ pub fn printable_lines(text: &str) -> Cow<'_, str> {
 pub fn is_printable(letter: char) -> bool {
     let is_end_of_line = matches!(letter, '\u{2028}' | '\u{2029}');
     // Marks of direction, its embeddings, its isolates; a mark of byte order.
-    let is_turn =
-        matches!(letter, '\u{200e}' | '\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}');
+    let is_turn = matches!(letter, '\u{61c}' | '\u{200e}' | '\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}');
     !letter.is_control() && !is_end_of_line && !is_turn && letter != '\u{feff}'
 }
 

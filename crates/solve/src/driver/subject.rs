@@ -333,26 +333,26 @@ impl Subject<'_> {
     }
 
     /// Relative L2 of half the difference of the solutions by either half of the rays, largest of the bands and light
-    /// groups. Where some groups are probed alone, the largest of all n is taken to be
+    /// groups. Where some groups are probed alone, the largest of the n others is taken to be
     ///
     /// ```text
     /// m + s √(2 ln n)
     /// ```
     ///
-    /// at least, as of so many normal numbers of the mean m and the deviation s of the probed ones.
+    /// as of so many normal numbers of the mean m and the deviation s of the probed ones.
     fn error(&self, transport: &SampledTransport) -> Result<f64, SolveError> {
         let even = self.mean_irradiances(transport, Rays::Even)?;
         let odd = self.mean_irradiances(transport, Rays::Odd)?;
         let errors: Vec<f64> =
             even.iter().zip(&odd).map(|(even, odd)| self.half_difference(even, odd)).collect();
         let worst = errors.iter().copied().fold(0.0, f64::max);
-        let count = self.entries.len();
-        if count <= MOST_PROBED {
+        let others = self.entries.len().saturating_sub(MOST_PROBED);
+        if others == 0 {
             return Ok(worst);
         }
         let mean = errors.iter().sum::<f64>() / errors.len() as f64;
         let variance = errors.iter().map(|error| (error - mean).powi(2)).sum::<f64>() / errors.len() as f64;
-        Ok(worst.max(mean + (2.0 * (count as f64).ln() * variance).sqrt()))
+        Ok(worst.max(mean + (2.0 * (others as f64).ln() * variance).sqrt()))
     }
 
     /// Relative L2 of half the difference of the mean irradiances of the elements by either half of the rays.

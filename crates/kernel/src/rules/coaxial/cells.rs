@@ -24,8 +24,8 @@ const MOST: usize = 1000;
 const AIMED: f64 = 0.1;
 
 /// Error over the sum of the differences: at a corner where meridians touch, both rules may miss the same.
-/// Measured: up to 1.7.
-const MISSED: f64 = 2.0;
+/// Measured in 160 random scenes: up to 5.6, of a disk beside a cone nearly as flat.
+const MISSED: f64 = 6.0;
 
 /// Error over the integral that no rule goes below, some hundred roundings.
 const FINEST: f64 = 1e-14;
