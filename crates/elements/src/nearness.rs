@@ -13,7 +13,6 @@
 
 use radiosity_geom::{Aabb, Bvh, COINCIDENT, DVec3, Rect, Surface};
 use radiosity_scene::Scene;
-use rayon::prelude::*;
 
 use super::cells::Layers;
 
@@ -43,9 +42,11 @@ pub(super) struct Nearness {
 
 impl Nearness {
     pub(super) fn of(scene: &Scene) -> Self {
+        if scene.surfaces.len() >= MOST_ELEMENTS {
+            return Self { counts: vec![Counts::default(); scene.surfaces.len()], most: 0 };
+        }
         let faces = Faces::of(scene);
-        let counts: Vec<Counts> =
-            (0..scene.surfaces.len()).into_par_iter().map(|surface| faces.counts(surface)).collect();
+        let counts: Vec<Counts> = (0..scene.surfaces.len()).map(|surface| faces.counts(surface)).collect();
         let elements = |most: usize| -> usize { counts.iter().map(|own| elements(own, most)).sum() };
         let longest = counts.iter().flatten().flatten().copied().max().unwrap_or(0);
         let most = (1..=longest).rev().find(|most| elements(*most) <= MOST_ELEMENTS).unwrap_or(0);
