@@ -396,7 +396,8 @@ class HeatMethod(Transfers, total=False):
     """How a balance of heat is computed: the options of `Transfers`, whose `eps` is then 1e-4, and these.
 
     order: int
-        Degree of the polynomials on each element; 0 takes all fluxes as even over it, as thermal networks do, and as is done where rays carry the pairs [default: 3].
+        Degree of the polynomials on each element; 0 takes all fluxes as even over it, as thermal networks do, and as is done where
+        rays carry the pairs [default: 3].
 
     solver: str
         Solver of the linear system [default: auto].
