@@ -5,7 +5,8 @@
 //! factorisation takes the time of 30 or more; where they have not finished in about that time, a direct
 //! method takes over. A tolerance near the rounding floor asks for a direct method wherever one is
 //! affordable; the largest systems are always iterated. Symmetric matrices are tried as positive definite
-//! first.
+//! first. Where cg finds that one is not, as one whose blocks few rays found may be, Cholesky is passed over
+//! and gmres comes before LU: the entries of what is not held take a product each.
 
 use std::time::Instant;
 
@@ -62,9 +63,17 @@ impl Solver for Auto {
     }
 }
 
+/// A method that may be tried.
+struct Attempt {
+    solver: &'static dyn Solver,
+    /// Whether it is for positive definite matrices, which one that is symmetric is taken to be until a
+    /// method finds that it is not, or for others only; None for all.
+    definite: Option<bool>,
+}
+
 /// The methods to try, in order.
 struct Plan {
-    first: Vec<&'static dyn Solver>,
+    first: Vec<Attempt>,
     last: &'static dyn Solver,
     /// Most iterations before the last method is tried: they cost about as much as a factorisation.
     patience: usize,
@@ -78,18 +87,20 @@ impl Plan {
         // each.
         let shares = if a.dense().is_some() { columns.max(1) } else { 1 };
         let direct_only = dim <= DIRECT.saturating_mul(shares) || settings.tolerance < STRICT;
-        let mut first: Vec<&'static dyn Solver> = Vec::new();
-        if dim >= HUGE || (dim > DENSE && a.dense().is_none()) {
-            if a.symmetric() {
-                first.push(&Cg);
-            }
+        let definite = a.symmetric().then_some(true);
+        let cg = || Attempt { solver: &Cg, definite };
+        let gmres = || Attempt { solver: &Gmres, definite: definite.map(|_| false) };
+        let cholesky = || Attempt { solver: &Cholesky, definite };
+        let is_large = dim >= HUGE || (dim > DENSE && a.dense().is_none());
+        let first = match (a.symmetric(), is_large, direct_only) {
+            (true, true, _) => vec![cg()],
+            (true, false, false) => vec![cg(), gmres(), cholesky()],
+            (true, false, true) => vec![cholesky()],
+            (false, false, false) => vec![gmres()],
+            (false, true, _) | (false, false, true) => Vec::new(),
+        };
+        if is_large {
             return Self { first, last: &Gmres, patience: usize::MAX };
-        }
-        if !direct_only {
-            first.push(if a.symmetric() { &Cg } else { &Gmres });
-        }
-        if a.symmetric() {
-            first.push(&Cholesky);
         }
         Self { first, last: &Lu, patience: 50 + dim / 40 }
     }
@@ -103,8 +114,13 @@ impl Plan {
         let started = Instant::now();
         let mut tried =
             |solver, max_iterations| attempt(solver, &Settings { max_iterations, ..settings.since(started) });
-        for solver in self.first {
+        let mut is_definite = true;
+        for Attempt { solver, definite } in self.first {
+            if definite.is_some_and(|definite| definite != is_definite) {
+                continue;
+            }
             match tried(solver, settings.max_iterations.min(self.patience)) {
+                Err(SolveError::NotPositiveDefinite { .. }) => is_definite = false,
                 Err(error) if !is_final(&error) => {}
                 outcome => return outcome,
             }

@@ -1,7 +1,9 @@
 //! Choice of the method by `auto`, and the methods that follow where the first one fails.
 
+use std::sync::atomic::{AtomicUsize, Ordering};
+
 use radiosity_solvers::method::{Method, Methods, NameTaken};
-use radiosity_solvers::{BlockSparse, Dense, Operator, Partition, Report, Settings, SparseBlock};
+use radiosity_solvers::{BlockSparse, Dense, Operator, Partition, Preconditioner, Report, Settings, SparseBlock};
 
 use radiosity_test_support::random::Random;
 use radiosity_test_support::systems::{enclosure, matrix};
@@ -35,6 +37,52 @@ fn what_defeats_iterations_is_eliminated() {
     // A cyclic shift: minimal residuals stand still until the last step.
     let shift = matrix(Partition::points(LARGE), false, |i, j| f64::from(u8::from(i == (j + 1) % LARGE)));
     assert!(auto(&shift, &Settings::default()).method.starts_with("lu"));
+}
+
+/// Counts how often the entries of a block of columns are asked for.
+struct Asked<'a> {
+    a: &'a Dense,
+    entries: AtomicUsize,
+}
+
+impl Operator for Asked<'_> {
+    fn partition(&self) -> &Partition {
+        self.a.partition()
+    }
+
+    fn symmetric(&self) -> bool {
+        true
+    }
+
+    fn apply(&self, x: &[f64], y: &mut [f64]) {
+        self.a.apply(x, y);
+    }
+
+    fn shoot(&self, column: usize, x: &[f64], y: &mut [f64]) {
+        self.a.shoot(column, x, y);
+    }
+
+    fn entries(&self, block: usize, out: &mut [f64]) {
+        self.entries.fetch_add(1, Ordering::Relaxed);
+        self.a.entries(block, out);
+    }
+}
+
+#[test]
+fn one_eigenvalue_below_0_needs_no_entries() {
+    // Eigenvalues 1, and −1/2 along the vector of ones.
+    let entry = |i, j| f64::from(u8::from(i == j)) - 1.5 / LARGE as f64;
+    let held = matrix(Partition::new(&[LARGE]), true, entry);
+    let a = Asked { a: &held, entries: AtomicUsize::new(0) };
+    let b = Random(79).numbers(LARGE);
+    let mut x = vec![0.0; LARGE];
+    let auto = Method::named("auto").unwrap().solver;
+    let settings = Settings::default().with_preconditioner(Preconditioner::None);
+    let report = auto.solve(&a, &b, &mut x, &settings, &mut |_| ()).unwrap();
+    assert_eq!((report.method, a.entries.into_inner()), ("gmres", 0));
+    // (1 − 3/2 m) x = b with the mean m: the mean of x is −2 times that of b.
+    let mean = b.iter().sum::<f64>() / LARGE as f64;
+    x.iter().zip(&b).for_each(|(x, b)| assert!((x - (b - 3.0 * mean)).abs() <= 1e-6, "{x} {b}"));
 }
 
 #[test]
