@@ -34,9 +34,10 @@ use radiosity_solve::{Model, Outcome};
 
 use super::roles::{Role, Roles};
 
-/// Seconds that pairs of elements of the cut may take, by counts: always these, and as a part of what the balance took.
-/// Chosen: small enclosures are cut as a whole, and no balance takes much longer for its error.
+/// Time that pairs of elements of the cut may always take, by counts (s). Chosen: small enclosures are cut as a whole.
 const LEAST: f64 = 2.5;
+
+/// Time that they may take over that of the balance. Chosen: no balance takes much longer for its error.
 const OF_A_RUN: f64 = 2.5;
 
 /// Accuracy of the transfers between elements that are cut, over that of the balance. Chosen: they take half of the
