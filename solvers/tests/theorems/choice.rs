@@ -3,7 +3,9 @@
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use radiosity_solvers::method::{Method, Methods, NameTaken};
-use radiosity_solvers::{BlockSparse, Dense, Operator, Partition, Preconditioner, Report, Settings, SparseBlock};
+use radiosity_solvers::{
+    BlockSparse, Dense, Operator, Partition, Preconditioner, Report, Settings, SparseBlock,
+};
 
 use radiosity_test_support::random::Random;
 use radiosity_test_support::systems::{enclosure, matrix};
