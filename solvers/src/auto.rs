@@ -6,7 +6,7 @@
 //! method takes over. A tolerance near the rounding floor asks for a direct method wherever one is
 //! affordable; the largest systems are always iterated. Symmetric matrices are tried as positive definite
 //! first. Where cg finds that one is not, as one whose blocks few rays found may be, Cholesky is passed over
-//! and gmres comes before LU: the entries of what is not held take a product each.
+//! and gmres comes before LU if the entries are not held: to make them takes a product for each column.
 
 use std::time::Instant;
 
@@ -71,6 +71,12 @@ struct Attempt {
     definite: Option<bool>,
 }
 
+impl Attempt {
+    fn of_definite(solver: &'static dyn Solver) -> Self {
+        Self { solver, definite: Some(true) }
+    }
+}
+
 /// The methods to try, in order.
 struct Plan {
     first: Vec<Attempt>,
@@ -87,21 +93,20 @@ impl Plan {
         // each.
         let shares = if a.dense().is_some() { columns.max(1) } else { 1 };
         let direct_only = dim <= DIRECT.saturating_mul(shares) || settings.tolerance < STRICT;
-        let definite = a.symmetric().then_some(true);
-        let cg = || Attempt { solver: &Cg, definite };
-        let gmres = || Attempt { solver: &Gmres, definite: definite.map(|_| false) };
-        let cholesky = || Attempt { solver: &Cholesky, definite };
-        let is_large = dim >= HUGE || (dim > DENSE && a.dense().is_none());
-        let first = match (a.symmetric(), is_large, direct_only) {
-            (true, true, _) => vec![cg()],
-            (true, false, false) => vec![cg(), gmres(), cholesky()],
-            (true, false, true) => vec![cholesky()],
-            (false, false, false) => vec![gmres()],
-            (false, true, _) | (false, false, true) => Vec::new(),
-        };
-        if is_large {
+        let is_held = a.dense().is_some();
+        let [cg, cholesky] = [&Cg as &'static dyn Solver, &Cholesky].map(Attempt::of_definite);
+        let gmres = |definite| Attempt { solver: &Gmres, definite };
+        if dim >= HUGE || (dim > DENSE && !is_held) {
+            let first = if a.symmetric() { vec![cg] } else { Vec::new() };
             return Self { first, last: &Gmres, patience: usize::MAX };
         }
+        let first = match (a.symmetric(), direct_only) {
+            (true, true) => vec![cholesky],
+            (true, false) if is_held => vec![cg, cholesky],
+            (true, false) => vec![cg, gmres(Some(false)), cholesky],
+            (false, true) => Vec::new(),
+            (false, false) => vec![gmres(None)],
+        };
         Self { first, last: &Lu, patience: 50 + dim / 40 }
     }
 
