@@ -15,6 +15,7 @@ use radiosity::scene::{Fault, FaultKind, SceneError};
 use radiosity::solve::Failure;
 use radiosity::solve::animation::error::AnimationError;
 use radiosity::solve::solved::RelightError;
+use radiosity::work::ranks::journal::JournalError;
 use radiosity::work::wording::{Wording, words};
 
 pub(crate) use spelling::spelt;
@@ -68,6 +69,14 @@ impl Trouble {
         lines.extend(excerpt.lines().map(str::to_owned));
         lines.extend(cure.as_ref().map(|cure| format!("help: {cure}")));
         lines.join("\n")
+    }
+}
+
+impl From<JournalError> for Trouble {
+    fn from(error: JournalError) -> Self {
+        let of_file =
+            if let JournalError::Transfers { source, .. } = &error { Some(source.kind()) } else { None };
+        Self { of_file, ..Self::plain(&error, Some(words(error.cure()))) }
     }
 }
 

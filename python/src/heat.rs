@@ -20,6 +20,7 @@ use crate::arrays::array;
 use crate::checked;
 use crate::error::{Trouble, warn};
 use crate::scene::{Scene, remarks};
+use crate::transfers::keeping;
 use crate::work::work;
 
 /// The balance of heat of a scene.
@@ -42,10 +43,11 @@ pub(crate) fn heat_of(
     let conductances = given.flag("conductances")?;
     let request: HeatRequest = given.fields()?;
     let check: CheckRequest = given.fields()?;
+    let ranks = keeping(&mut given, &scene.scene)?;
     given.finish("heat")?;
     let options = request.options(&transfers, conductances, Ranks::alone()).map_err(Trouble::from)?;
     let (heat, unchecked) = work(py, observer.as_ref(), |progress| {
-        let work = Work::alone().observed_by(progress);
+        let work = Work::among(&ranks).observed_by(progress);
         let mut heat = library::Heat::of(&scene.scene, &options, &work)?;
         let checked = || check.check_heat(&mut heat, &scene.scene, options.options.shadows, &work);
         let checked = options.options.in_threads(work.ranks, checked)?;
@@ -69,6 +71,7 @@ pub(crate) fn heats_of(
     let transfers: TransferRequest = given.fields()?;
     let request: HeatRequest = given.fields()?;
     let check: CheckRequest = given.fields()?;
+    let ranks = keeping(&mut given, &scene.scene)?;
     given.finish("heat_sweep")?;
     let sweep = HeatSweep::new(HeatSetting::named(quantity).map_err(Trouble::from)?, values);
     if sweep.values().is_empty() {
@@ -76,7 +79,7 @@ pub(crate) fn heats_of(
     }
     let options = request.options(&transfers, false, Ranks::alone()).map_err(Trouble::from)?.options;
     let mut swept: SweptHeat<library::Heat> = work(py, observer.as_ref(), |progress| {
-        sweep.balances(&scene.scene, &options, &check, &Work::alone().observed_by(progress))
+        sweep.balances(&scene.scene, &options, &check, &Work::among(&ranks).observed_by(progress))
     })?;
     warn_of(py, &swept.largest, request.asked_order())?;
     let unchecked = swept.unchecked.take();

@@ -8,6 +8,7 @@ mod arguments;
 mod arrays;
 mod progress;
 mod work;
+mod transfers;
 mod tree;
 mod core;
 mod mesh;

@@ -17,6 +17,7 @@ use crate::arrays::probes;
 use crate::error::Trouble;
 use crate::scene::Scene;
 use crate::solution::{ReportedSolution, Solution};
+use crate::transfers::keeping;
 use crate::work::work;
 
 /// Solves a scene. `aim` is what an accuracy is wanted of: "gathered", "solution", "picture", or "points"
@@ -34,6 +35,7 @@ pub(crate) fn solution_of(
     let keep_partial = given.flag("keep_partial")?;
     let mut method: MethodRequest = given.fields()?;
     let check: CheckRequest = given.fields()?;
+    let ranks = keeping(&mut given, &scene.scene)?;
     given.finish("solve")?;
     method.aim = aim.map(|aim| accuracy_of(aim, sensors.is_some())).transpose()?;
     if method.aim.is_some() && method.wanted_accuracy().is_none() {
@@ -52,7 +54,7 @@ pub(crate) fn solution_of(
     let goal = method.wanted_accuracy().map(goal).transpose()?;
     let found = work(py, observer.as_ref(), |progress| -> Result<_, Trouble> {
         let deadline = method.deadline();
-        let work = Work { deadline: deadline.as_ref(), ..Work::alone().observed_by(progress) };
+        let work = Work { deadline: deadline.as_ref(), ..Work::among(&ranks).observed_by(progress) };
         Ok(ReportedSolution::of(solved(own, options, goal.as_ref(), &work)?)?)
     })?;
     let solution = Solution::new(py, found, method, check, false)?;

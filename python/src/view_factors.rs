@@ -24,6 +24,7 @@ use crate::arrays::{array, points};
 use crate::checked;
 use crate::error::{Trouble, warn};
 use crate::scene::{Scene, remarks};
+use crate::transfers::keeping;
 use crate::work::work;
 
 /// View factors between the surfaces of a scene.
@@ -101,6 +102,7 @@ fn factors(
     let mut given = Arguments::of(given)?;
     let request: TransferRequest = given.fields()?;
     let check: CheckRequest = given.fields()?;
+    let ranks = keeping(&mut given, scene)?;
     given.finish(function)?;
     let indices = |(one, other): &Pair| Ok([scene.surface_named(one)?, scene.surface_named(other)?]);
     let pairs =
@@ -119,7 +121,7 @@ fn factors(
             Event::Rays { .. } => progress.report(event),
             _ => {}
         };
-        let work = Work::alone().observed_by(&tell);
+        let work = Work::among(&ranks).observed_by(&tell);
         let factors = library::ViewFactors::of_pairs(scene, &wanted, &options, &work)?;
         let effort = check.of_factors(&factors, &options, from.len(), scene);
         let told = match effort.filter(|_| is_judged || check.audit.is_some()) {
@@ -158,8 +160,8 @@ impl ViewFactors {
             self.pairs.iter().for_each(|pair| matrix[*pair] = self.factors.factor(pair[0], pair[1]));
             return;
         }
-        for i in 0..self.factors.names.len() {
-            self.factors.nonzeros(i).for_each(|(j, factor)| matrix[[i, j]] = factor);
+        for (i, row) in self.factors.sparse_rows().enumerate() {
+            row.into_iter().for_each(|(j, factor)| matrix[[i, j]] = factor);
         }
     }
 
@@ -187,13 +189,12 @@ impl ViewFactors {
         &self,
         py: Python<'py>,
     ) -> PyResult<(Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<i32>>, Bound<'py, PyArray1<i64>>)> {
-        let rows = self.factors.names.len();
-        let count = (0..rows).map(|i| self.factors.nonzeros(i).count()).sum();
+        let count = self.factors.sparse_rows().map(|row| row.len()).sum();
         let (mut factors, mut columns, mut begins) = (Vec::new(), Vec::new(), vec![0]);
         let reserved = factors.try_reserve_exact(count).and_then(|()| columns.try_reserve_exact(count));
         reserved.map_err(|error| PyMemoryError::new_err(error.to_string()))?;
-        for i in 0..rows {
-            for (j, factor) in self.factors.nonzeros(i) {
+        for row in self.factors.sparse_rows() {
+            for (j, factor) in row {
                 factors.push(factor);
                 // Surfaces are numbered by 32 bits.
                 columns.push(j as i32);

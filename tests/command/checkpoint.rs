@@ -54,7 +54,12 @@ fn checkpoint(report: &Path) -> [u64; 2] {
 
 /// Pieces recalled and recorded, as the summary says.
 fn told(summary: &str) -> [u64; 2] {
-    let line = summary.lines().find_map(|line| line.strip_prefix("checkpoint: ")).expect("it is told");
+    told_of("checkpoint: ", summary)
+}
+
+/// Pieces recalled and recorded, as the line of the summary says that begins so.
+fn told_of(begins: &str, summary: &str) -> [u64; 2] {
+    let line = summary.lines().find_map(|line| line.strip_prefix(begins)).expect("it is told");
     let count =
         |word: &str| word.trim_start_matches(", ").split(' ').next().and_then(|count| count.parse().ok());
     let (recalled, rest) = line.split_once(" pieces recalled").expect("they are counted");
@@ -208,6 +213,50 @@ fn every_verb_recalls_all_that_it_recorded() {
         });
         assert!(first == second, "{verb:?}");
     }
+}
+
+/// Runs of a verb, with or without transfers in a file, write the same.
+fn transfers_serve(folder: &Path, verb: &[&str], other: &[&str]) {
+    let run = |more: &[&str], file: &str| {
+        let [_, summary] = done(folder, &[verb, more, &["-o", file]].concat());
+        (summary, fs::read_to_string(folder.join(file)).expect("it was written"))
+    };
+    let kept = ["--transfers", "kept.transfers"];
+    let (summary, _) = run(&kept, "first.csv");
+    let [recalled, recorded] = told_of("transfers: ", &summary);
+    assert!(recalled == 0 && recorded > 0, "{verb:?}: {summary}");
+    let (summary, found) = run(&[other, &kept].concat(), "second.csv");
+    assert_eq!(told_of("transfers: ", &summary), [recorded, 0], "{verb:?}");
+    assert!(found == run(other, "alone.csv").1, "{verb:?}");
+    fs::remove_file(folder.join("kept.transfers")).expect("it was written");
+}
+
+#[test]
+fn transfers_serve_other_materials_and_temperatures() {
+    let folder = folder();
+    let folder = folder.path();
+    let heat = ["heat", "oven"];
+    transfers_serve(folder, &heat, &["--set", "brick.emissivity=0.5", "--set", "panel.temperature=1300"]);
+    transfers_serve(folder, &["grid", "cornell-box", "--order", "1", "--cells", "2x2"], &["--solver", "lu"]);
+    transfers_serve(folder, &["view-factors", "oven"], &[]);
+    done(folder, &["heat", "oven", "-q", "--transfers", "kept"]);
+    // Other options are added, and all of them are found again.
+    let coarse = ["heat", "oven", "--order", "1", "--transfers", "kept"];
+    let [first, second] = [(); 2].map(|()| told_of("transfers: ", &done(folder, &coarse)[1]));
+    assert!(first[1] > 0, "{first:?}");
+    assert_eq!(second, [first[0] + first[1], 0]);
+    refused(
+        folder,
+        &["heat", "oven", "--set", "width=2", "--transfers", "kept"],
+        &["kept: these are no transfers between the surfaces", "choose a file that is not there yet"],
+    );
+    refused(folder, &["heat", "oven", "--transfers", "lamp.ies"], &["lamp.ies: these are no transfers"]);
+    refused(
+        folder,
+        &["heat", "oven", "--transfers", "nowhere/kept"],
+        &["nowhere/kept", "in a folder that exists"],
+    );
+    refused(folder, &["heat", "oven", "--transfers", "kept", "--checkpoint", "run"], &["--checkpoint"]);
 }
 
 /// A run by rays that takes some seconds of one thread.

@@ -166,7 +166,7 @@ where
     let (done, count) = (AtomicUsize::new(0), spots * Effort::SHIFTS);
     // Those that are left out when time is up are then spread, too.
     let order: Vec<usize> = spread(spots).collect();
-    let is_recorded = work.ranks.journal().is_some();
+    let is_recorded = work.ranks.record_all();
     let shift = |k: usize| {
         let is_late = !is_recorded && work.is_late_here();
         let made = (!is_late).then(|| make(order[k / Effort::SHIFTS], k % Effort::SHIFTS));

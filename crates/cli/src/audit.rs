@@ -196,7 +196,7 @@ impl AuditArgs {
             return Err(too_few(0));
         }
         let RunArgs { method, report, .. } = &self.run;
-        let ranks = &self.run.recording(given, &loaded.inputs(), None, ranks)?;
+        let ranks = &self.run.recording(given, &loaded.inputs(), loaded.scene(), None, ranks)?;
         require_all_light(method, "the referee judges all light", |name| words("leave out ") + option(name))?;
         self.read.check(&loaded.options(method, ranks), method)?;
         let outlet = self.outlet(|path| loaded.reserve(path, report, ranks), ranks)?;
@@ -229,7 +229,7 @@ impl AuditArgs {
     fn heat(&self, given: &TypedOptions, ranks: &Ranks) -> Result<(), CliError> {
         let started = Instant::now();
         let scene = self.scene.request().load_lit(ranks)?;
-        let ranks = &self.run.checkpoint.recording(given, &scene, &[], ranks)?;
+        let ranks = &self.run.checkpoint.recording(given, &scene, &scene, &[], ranks)?;
         let outlet = self.outlet(|path| self.scene.reserve(path, ranks), ranks)?;
         let method = &self.run.method;
         let options = HeatRequest::of(method)?.options(&TransferRequest::of(method)?, false, ranks)?;
@@ -251,7 +251,7 @@ impl AuditArgs {
     fn view_factors(&self, given: &TypedOptions, ranks: &Ranks) -> Result<(), CliError> {
         let started = Instant::now();
         let scene = self.scene.request().load(ranks)?;
-        let ranks = &self.run.checkpoint.recording(given, &scene, &[], ranks)?;
+        let ranks = &self.run.checkpoint.recording(given, &scene, &scene, &[], ranks)?;
         let outlet = self.outlet(|path| self.scene.reserve(path, ranks), ranks)?;
         let options = TransferRequest::of(&self.run.method)?.factors()?;
         let progress = Progress::of(&self.run.report, started, ranks);

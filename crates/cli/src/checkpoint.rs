@@ -1,4 +1,5 @@
-//! `--checkpoint` and `--resume`: a run that is recorded, and goes on where it was ended.
+//! `--checkpoint` and `--resume`: a run that is recorded, and goes on where it was ended; `--transfers`: a file of
+//! transfers, which other runs take up.
 
 use std::env::current_exe;
 use std::fmt::Debug;
@@ -8,6 +9,8 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
+use radiosity_scene::Scene;
+use radiosity_solve::geometry;
 use radiosity_work::ranks::Ranks;
 use radiosity_work::ranks::journal::{Begin, fingerprint};
 
@@ -27,23 +30,36 @@ pub(crate) struct CheckpointArgs {
     /// and processes; results are those of one run, bit for bit
     #[arg(long, requires = "checkpoint")]
     resume: bool,
+
+    /// File of the transfers between the surfaces, which is made where there is none: runs on the same surfaces, with
+    /// other materials, temperatures or lamps, find none of them again; those of other options are added
+    #[arg(long, value_name = "FILE", conflicts_with = "checkpoint")]
+    transfers: Option<PathBuf>,
 }
 
 impl CheckpointArgs {
-    /// The ranks, which record their work if `--checkpoint` was typed. Results depend on the options `given`,
-    /// on `content`, and on the files that the verb `reads` besides: all ranks must have the same.
+    /// The ranks, which record their work if `--checkpoint` was typed, and keep the transfers of `scene` if
+    /// `--transfers` was. Results depend on the options `given`, on `content`, and on the files that the verb `reads`
+    /// besides: all ranks must have the same.
     ///
     /// # Errors
-    /// Ranks that differ; a folder that does not hold what was asked for, or cannot be written.
+    /// Ranks that differ; a folder or a file that does not hold what was asked for, or cannot be written.
     pub(crate) fn recording(
         &self,
         given: &TypedOptions,
         content: &dyn Debug,
+        scene: &Scene,
         reads: &[Option<&Path>],
         ranks: &Ranks,
     ) -> Result<Ranks, CliError> {
         if self.checkpoint.is_none() && ranks.are_alone() {
-            return Ok(ranks.clone());
+            return self.keeping(scene, ranks);
+        }
+        if self.transfers.is_some() {
+            return Err(CliError::refused(
+                "--transfers: several processes share no file of transfers",
+                "run one process, or record the run with --checkpoint FOLDER",
+            ));
         }
         let reads =
             reads.iter().flatten().filter(|path| self.checkpoint.is_some() || **path != Path::new("-"));
@@ -58,6 +74,14 @@ impl CheckpointArgs {
         let Some(folder) = &self.checkpoint else { return Ok(ranks.clone()) };
         let begin = if self.resume { Begin::Resume } else { Begin::Anew };
         Ok(ranks.recording(folder, run, begin)?)
+    }
+
+    /// This rank, with the transfers of `scene` in their file, if one was typed.
+    fn keeping(&self, scene: &Scene, ranks: &Ranks) -> Result<Ranks, CliError> {
+        match &self.transfers {
+            Some(path) => Ok(ranks.keeping_transfers(path, geometry(scene))?),
+            None => Ok(ranks.clone()),
+        }
     }
 }
 

@@ -153,7 +153,7 @@ pub(crate) fn run(args: &HeatArgs, given: &TypedOptions, ranks: &Ranks) -> Resul
     let settings = args.settings()?;
     let read = args.with_parameters(&settings, ranks)?;
     let scene = with_heat(&read, &settings)?;
-    let ranks = &args.transfers.checkpoint.recording(given, &scene, &[], ranks)?;
+    let ranks = &args.transfers.checkpoint.recording(given, &scene, &scene, &[], ranks)?;
     if let Some(sweep) = &args.sweep {
         return sweep::run(sweep, args, &options.options, start, &read, &scene, ranks);
     }

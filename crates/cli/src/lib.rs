@@ -160,7 +160,7 @@ impl Cli {
         match &self.verb {
             Verb::Solve(args) => {
                 let loaded = Loaded::lit(&args.scene, ranks)?;
-                let ranks = args.run.recording(given, &loaded.inputs(), None, ranks)?;
+                let ranks = args.run.recording(given, &loaded.inputs(), loaded.scene(), None, ranks)?;
                 solve::run(args, loaded, &ranks)
             }
             Verb::Relight(args) => relight::run(args, ranks),
@@ -168,20 +168,21 @@ impl Cli {
                 let fixing = self.fixing.iter().filter(|option| !(args.importance && *option == "--for"));
                 let mut loaded = Loaded::readable(&args.scene, &fixing.cloned().collect::<Vec<_>>(), ranks)?;
                 let view = loaded.look(&args.view)?;
-                let ranks =
-                    args.run.recording(given, &loaded.inputs(), args.style.difference.as_deref(), ranks)?;
+                let other = args.style.difference.as_deref();
+                let ranks = args.run.recording(given, &loaded.inputs(), loaded.scene(), other, ranks)?;
                 render::run(args, loaded, view, &ranks)
             }
             Verb::Animate(args) => animate::run(args, Loaded::lit(&args.scene, ranks)?, ranks),
             Verb::Probe(args) => {
                 let points = args.load_points(ranks)?;
                 let loaded = Loaded::readable(&args.scene, &self.fixing, ranks)?;
-                let ranks = args.run.recording(given, &(loaded.inputs(), &points), None, ranks)?;
+                let ranks =
+                    args.run.recording(given, &(loaded.inputs(), &points), loaded.scene(), None, ranks)?;
                 probe::run(args, points, loaded, &ranks)
             }
             Verb::Grid(args) => {
                 let loaded = Loaded::readable(&args.scene, &self.fixing, ranks)?;
-                let ranks = args.run.recording(given, &loaded.inputs(), None, ranks)?;
+                let ranks = args.run.recording(given, &loaded.inputs(), loaded.scene(), None, ranks)?;
                 grid::run(args, loaded, &ranks)
             }
             Verb::Audit(args) => audit::run(args, &self.fixing, given, ranks),
@@ -190,7 +191,7 @@ impl Cli {
             Verb::Heat(args) => heat::run(args, given, ranks),
             Verb::Report(args) => {
                 let loaded = Loaded::dark_or_lit(&args.scene, &self.fixing, ranks)?;
-                let ranks = args.run.recording(given, &loaded.inputs(), None, ranks)?;
+                let ranks = args.run.recording(given, &loaded.inputs(), loaded.scene(), None, ranks)?;
                 report::run(args, loaded, &ranks)
             }
             Verb::Check(args) => check::run(args, &args.scene.request().load_repaired(ranks)?, ranks),

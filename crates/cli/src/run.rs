@@ -20,6 +20,7 @@ use radiosity_reading::read_error::ReadError;
 use radiosity_reading::reader::Reader;
 use radiosity_reading::report::Report;
 use radiosity_request::{CheckRequest, MethodRequest};
+use radiosity_scene::Scene;
 use radiosity_solve::gather::gather_method::GatherMethod;
 use radiosity_solve::gather::read_irradiance::Deviation;
 use radiosity_solve::solved::Solved;
@@ -63,16 +64,17 @@ pub(crate) struct RunArgs {
 }
 
 impl RunArgs {
-    /// The ranks, which record their work if that was asked for. Results depend on the options `given`, on
-    /// `inputs`, on the points of the method, and on an `other` file.
+    /// The ranks, which record their work, or keep the transfers of `scene`, if that was asked for. Results depend on
+    /// the options `given`, on `inputs`, on the points of the method, and on an `other` file.
     pub(crate) fn recording(
         &self,
         given: &TypedOptions,
         inputs: &dyn Debug,
+        scene: &Scene,
         other: Option<&Path>,
         ranks: &Ranks,
     ) -> Result<Ranks, CliError> {
-        self.checkpoint.recording(given, inputs, &[points_file(&self.method), other], ranks)
+        self.checkpoint.recording(given, inputs, scene, &[points_file(&self.method), other], ranks)
     }
 }
 
@@ -236,7 +238,7 @@ impl Run {
     /// The instant until which light is read, where time is limited; None among several ranks, whose clocks differ, and
     /// where pieces are recorded, which a later run takes for done.
     fn read_until(&self) -> Option<Instant> {
-        self.start.read_until.filter(|_| self.start.ranks.are_alone() && self.start.ranks.journal().is_none())
+        self.start.read_until.filter(|_| self.start.ranks.are_alone() && !self.start.ranks.record_all())
     }
 
     /// The time left to read light, where it is limited.

@@ -102,7 +102,7 @@ pub(crate) fn run(args: &ViewFactorsArgs, given: &TypedOptions, ranks: &Ranks) -
     let format = args.format()?;
     let options = args.transfers.request.factors()?;
     let scene = args.scene.request().load(ranks)?;
-    let ranks = &args.transfers.checkpoint.recording(given, &scene, &[], ranks)?;
+    let ranks = &args.transfers.checkpoint.recording(given, &scene, &scene, &[], ranks)?;
     let pairs = args.pairs.iter().map(|pair| named_pair(&scene, pair)).collect::<Result<Vec<_>, _>>()?;
     let output = args.output.as_deref().map(|path| args.scene.reserve(path, ranks));
     let destination = Destination::of(output.transpose()?, ranks);

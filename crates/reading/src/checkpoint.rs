@@ -11,6 +11,9 @@ use crate::warning::Warning;
 /// Counts of the work that all ranks of a run took from its checkpoint, and of the work that they added.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct Checkpoint {
+    /// Whether it is a file of transfers.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub are_transfers: bool,
     /// Number of pieces of work that were recorded before, and were not done again.
     pub recalled: u64,
     /// Number of pieces that were done and written.
@@ -28,6 +31,7 @@ impl Checkpoint {
         let all = ranks.all(own);
         let sum = |count: fn(&Tally) -> u64| all.iter().map(count).sum();
         Some(Self {
+            are_transfers: all.iter().any(|rank| rank.are_transfers),
             recalled: sum(|rank| rank.recalled),
             recorded: sum(|rank| rank.recorded),
             bytes: sum(|rank| rank.bytes),
@@ -38,10 +42,15 @@ impl Checkpoint {
     /// A warning where the record is incomplete.
     pub fn warning(&self) -> Option<Warning> {
         let why = self.incomplete.as_ref()?;
-        let message = format!(
-            "the checkpoint is incomplete, and a run that resumes would do again what is missing: {why}; make room, or record in \
-             another folder"
-        );
+        let message = match self.are_transfers {
+            true => format!(
+                "the file of transfers is incomplete, and runs find again what is missing: {why}; make room"
+            ),
+            false => format!(
+                "the checkpoint is incomplete, and a run that resumes would do again what is missing: {why}; make room, or record \
+                 in another folder"
+            ),
+        };
         Some(Warning::general("checkpoint-incomplete", message))
     }
 }
@@ -49,9 +58,10 @@ impl Checkpoint {
 /// One line of a summary.
 impl fmt::Display for Checkpoint {
     fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
-        let Self { recalled, recorded, bytes, .. } = self;
+        let Self { are_transfers, recalled, recorded, bytes, .. } = self;
         let megabytes = *bytes as f64 / 1e6;
-        write!(to, "checkpoint: {recalled} pieces recalled, {recorded} recorded ({megabytes:.3} MB)")
+        let what = if *are_transfers { "transfers" } else { "checkpoint" };
+        write!(to, "{what}: {recalled} pieces recalled, {recorded} recorded ({megabytes:.3} MB)")
     }
 }
 

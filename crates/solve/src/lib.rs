@@ -3,7 +3,8 @@
 //! In order: `tolerances`, `system` (one per band), `solution` (what it was solved to), `gather` (light at
 //! points), `checks` (of energy), `driver` (scene → solution, timed), `goal` (accuracy that is asked for),
 //! `solved` (a scene with its solution), `studies` (adaptation to a goal, convergence), `animation` (light
-//! that follows moving things) and `view_factors`.
+//! that follows moving things), `view_factors` and `geometry` (what tells the
+//! transfers of a scene from others).
 //!
 //! Imports `core`, `geom`, `solvers`, `work`, `scene`, `audit`, `visibility`, `elements`, `kernel`, `transport`,
 //! `light` and `published`.
@@ -19,9 +20,11 @@ pub mod solved;
 pub mod studies;
 pub mod animation;
 pub mod view_factors;
+mod geometry;
 
 pub use driver::{
     ColumnChoice, Direct, Failure, Functional, LightMethod, Linking, MOST_RAYS, MemoryReduction, Model,
     Options, Outcome, Preconditioning, RelaxedAtOnce, Relaxing, Sampling, Shot, ShotLimit, Shots, Stages,
     SweepOrder, Transport, TransportChoice, in_threads, solve,
 };
+pub use geometry::geometry;

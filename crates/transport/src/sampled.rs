@@ -317,6 +317,7 @@ impl<'a> SampledTransport<'a> {
     /// Sends so many more rays from each element; covered elements send none. `goes_on` gets the number done;
     /// false ends the sending.
     pub fn send(&mut self, rays: &[u64], goes_on: &mut dyn FnMut(u64) -> bool) {
+        self.ranks.note_choice(&rays);
         let list = self.elements.list();
         let tasks = rays.iter().enumerate().filter(|(element, _)| list[*element].contact.is_none());
         let tasks: Vec<RayTask> = tasks
@@ -364,6 +365,7 @@ impl<'a> SampledTransport<'a> {
         kept: Option<&mut KeptBlocks>,
         work: &Work<'_>,
     ) {
+        self.ranks.note_choice(&(planned, accuracy));
         let list = self.elements.list();
         let density = |index: usize| {
             let area = list[index].area;

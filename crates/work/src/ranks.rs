@@ -77,9 +77,32 @@ impl Ranks {
         Ok(Self { journal: Some(Arc::new(journal)), ..self.clone() })
     }
 
+    /// This rank, which is alone, with the transfers between the surfaces of this fingerprint that the file at `path`
+    /// keeps: it makes none again, and adds what it makes.
+    ///
+    /// # Errors
+    /// A file that cannot be read and written, or that holds something else.
+    pub fn keeping_transfers(&self, path: &Path, surfaces: u64) -> Result<Self, JournalError> {
+        let journal = Journal::of_transfers(path, surfaces)?;
+        Ok(Self { journal: Some(Arc::new(journal)), ..self.clone() })
+    }
+
     /// Where the pieces of work are written, if they are.
     pub fn journal(&self) -> Option<&Journal> {
         self.journal.as_deref()
+    }
+
+    /// Whether all work is recorded, for a run that goes on.
+    pub fn record_all(&self) -> bool {
+        self.journal().is_some_and(|journal| !journal.is_of_transfers())
+    }
+
+    /// Notes all that the pairs, blocks and rays to come follow from: elements, who sends, and how accurate they are.
+    /// A file of transfers knows them by that alone.
+    pub fn note_assembly(&self, assembly: &dyn Debug) {
+        if let Some(journal) = &self.journal {
+            journal.note_assembly(assembly);
+        }
     }
 
     /// Notes what was chosen for the work to come where that does not follow from the fingerprint of the run
@@ -240,7 +263,7 @@ impl Ranks {
 
     /// The next part of the run, of so many pieces.
     pub fn part(&self, name: PartName, pieces: usize) -> Part<'_> {
-        Part { recorded: self.journal.as_ref().map(|journal| journal.part(name, pieces)) }
+        Part { recorded: self.journal.as_ref().and_then(|journal| journal.part(name, pieces)) }
     }
 
     /// All `make(k)` for k below `count`, in order, where each costs about the same: as [`Ranks::map`], with
@@ -378,6 +401,42 @@ mod tests {
         fs::create_dir(&folder).expect("it can be made");
         drop(Ranks::alone().recording(&folder, 1, Begin::Anew).expect("it is there"));
         assert_eq!(fs::read_dir(&folder).expect("it was there before").count(), 0);
+    }
+
+    /// Pieces of transfers of an assembly of this number, and of a part that is none; how many were made.
+    fn transfers(path: &Path, assembly: u64) -> [usize; 2] {
+        let ranks = Ranks::alone().keeping_transfers(path, 7).expect("a file that can be written");
+        let made = AtomicUsize::new(0);
+        let mut counts = [0; 2];
+        ranks.note_assembly(&assembly);
+        for (count, part) in counts.iter_mut().zip([PartName::Points, PartName::Blocks]) {
+            let product = |piece: usize| {
+                made.fetch_add(1, Ordering::Relaxed);
+                assembly * piece as u64
+            };
+            let found = ranks.map(part, &[1.0; 5], product);
+            assert_eq!(found, [0, 1, 2, 3, 4].map(|piece| assembly * piece));
+            *count = made.swap(0, Ordering::Relaxed);
+        }
+        counts
+    }
+
+    #[test]
+    fn transfers_are_kept_by_their_assembly_in_whatever_order() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let path = folder.path().join("kept.transfers");
+        assert_eq!(transfers(&path, 2), [5, 5], "nothing is kept yet");
+        assert_eq!(transfers(&path, 3), [5, 5], "another assembly");
+        assert_eq!([2, 3].map(|assembly| transfers(&path, assembly)), [[5, 0]; 2]);
+        // The last record is torn, and written anew.
+        let bytes = fs::read(&path).expect("it was written");
+        fs::write(&path, &bytes[..bytes.len() - 3]).expect("it can be written");
+        assert_eq!(transfers(&path, 3), [5, 1]);
+        assert_eq!(fs::read(&path).expect("it is there"), bytes);
+        let other = Ranks::alone().keeping_transfers(&path, 8).map(drop);
+        assert!(matches!(other, Err(JournalError::OtherGeometry { .. })));
+        drop(Ranks::alone().keeping_transfers(&folder.path().join("unused"), 7).expect("it can be made"));
+        assert!(!folder.path().join("unused").exists());
     }
 
     #[test]

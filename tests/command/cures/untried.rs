@@ -81,6 +81,8 @@ pub(super) const UNTRIED: &[Untried] = &[
     Untried { words: "allow it to read its own file", why: Why::Ranks },
     Untried { words: "was started with other arguments", why: Why::Ranks },
     Untried { words: "several processes were started", why: Why::Ranks },
+    Untried { words: "run one process, or record", why: Why::Ranks },
+    Untried { words: "choose a file that is not there yet, or remove", why: Why::Machine },
     Untried { words: "reads another scene here than rank 0", why: Why::Ranks },
     Untried { words: "the outline of surface {:?} crosses itself", why: Why::Code },
     Untried { words: "this format is only read", why: Why::Code },

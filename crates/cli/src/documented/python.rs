@@ -7,6 +7,7 @@ use radiosity_request::{
 };
 
 use super::assert_made;
+use crate::checkpoint::CheckpointArgs;
 use crate::grid::GridArgs;
 use crate::options::SceneArg;
 use crate::render::RenderArgs;
@@ -88,6 +89,7 @@ fn classes() -> Vec<Class> {
             "Most bytes to use (as the solution did), a number or a text such as \"2G\"",
         )
     };
+    let transfers = || of::<CheckpointArgs>(&["transfers"], "");
     let strict = "Refuses a scene of another program that needs repairs";
     let kept = "Takes the best there is where the solver does not converge, with a warning";
     let conductances = "Whether the conductances between all surfaces are wanted";
@@ -112,7 +114,7 @@ fn classes() -> Vec<Class> {
             name: "Solving",
             base: "Method",
             about: "How a scene is solved: the options of `Method`, and this.",
-            options: of::<CheckRequest>(&[], ""),
+            options: together([of::<CheckRequest>(&[], ""), transfers()]),
         },
         Class {
             name: "Reading",
@@ -147,7 +149,7 @@ fn classes() -> Vec<Class> {
             name: "Transfers",
             base: "TypedDict",
             about: "How transfers are integrated.",
-            options: together([of::<TransferRequest>(&[], ""), of::<CheckRequest>(&[], "")]),
+            options: together([of::<TransferRequest>(&[], ""), of::<CheckRequest>(&[], ""), transfers()]),
         },
         Class {
             name: "HeatMethod",

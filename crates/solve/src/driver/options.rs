@@ -171,6 +171,14 @@ impl Options {
         Self { threads: 0, memory: None, keep_partial: false, ..*self }
     }
 
+    /// These options with the usual ones for all that no block depends on.
+    pub(crate) fn of_transfers(&self) -> Self {
+        let Options { solver, preconditioner, relaxing, columns, tolerance, max_iterations, .. } =
+            Self::default();
+        let neutral = Self { shots: None, bounces: None, linking: Linking::default(), ..self.neutral() };
+        Self { solver, preconditioner, relaxing, columns, tolerance, max_iterations, ..neutral }
+    }
+
     /// Does `work` with the threads of these options on one of these ranks, as [`in_threads`].
     ///
     /// # Errors

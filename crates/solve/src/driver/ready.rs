@@ -26,6 +26,7 @@ use super::outcome::{Stages, timed};
 use super::outline::Outline;
 use super::shooting::Shooter;
 use super::transport_choice::TransportChoice;
+use crate::geometry::AssemblyGeometry;
 
 /// A scene ready for blocks.
 #[derive(Debug)]
@@ -61,8 +62,6 @@ impl Ready {
         let mut seconds = Stages::default();
         let decide = || work.during(Stage::Visibility, || plan.decided(scene, options, work.left()));
         let decisions = timed(&mut seconds.visibility, decide);
-        // The choice may depend on time or memory, which no fingerprint holds.
-        work.ranks.note_choice(&(options.neutral(), decisions.choice.sampled));
         let elements_before = before.and_then(|kept| kept.blocks.elements());
         // Scenes that follow need as much as the first one.
         if elements_before.is_none() {
@@ -75,6 +74,10 @@ impl Ready {
         };
         let (elements, subspace) = timed(&mut seconds.elements, || work.during(Stage::Elements, cut))?;
         let Decisions { visibility, choice, rays, .. } = decisions;
+        let sends = |element: usize| scene.surfaces[elements.list()[element].surface].material.sends();
+        let geometry = AssemblyGeometry { scene, elements: &elements, wanted: &|a, b| sends(a) || sends(b) };
+        // The choice may depend on time or memory, which no fingerprint holds.
+        work.ranks.note_assembly(&(options.of_transfers(), choice.sampled, rays, geometry));
         let emissions = Emission::all(scene, elements.list());
         let lit_scene =
             LitScene { scene, elements: &elements, visibility: &visibility, options, ranks: work.ranks };
@@ -144,7 +147,7 @@ impl Ready {
             Options { method: LightMethod::Collocation, .. } => "collocation makes whole rows",
             _ if subspace.is_some() => "functions of the basis reach over elements",
             _ if !ranks.are_alone() => "several processes share the blocks",
-            _ if ranks.journal().is_some() => "blocks are kept in a checkpoint",
+            _ if ranks.journal().is_some() => "blocks are kept in a file",
             _ if self.first.is_reflected() => "masks of what emitters reflect take the light of all",
             Options { columns: Some(ColumnChoice::All), .. } => "that was asked for",
             _ => return None,

@@ -13,6 +13,10 @@
 //! ```
 //!
 //! The last record of a rank that was killed may be torn: it fails its check, and its piece is made again.
+//!
+//! A file of transfers is such a file, of one rank alone, which other runs read and add to. It keeps those parts only
+//! that follow from the surfaces and from what an assembly depends on besides
+//! ([`Ranks::note_assembly`](super::Ranks::note_assembly)), and their numbers hang on nothing else.
 
 mod begin;
 mod error;
@@ -38,6 +42,7 @@ pub use error::JournalError;
 use fingerprint::digest;
 pub use fingerprint::fingerprint;
 use folder::Folder;
+use header::Owner;
 use record::Key;
 use stored_pieces::StoredPieces;
 use writer::Writer;
@@ -45,6 +50,8 @@ use writer::Writer;
 /// Pieces that a rank has recalled and recorded so far.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Tally {
+    /// Whether transfers alone are kept.
+    pub are_transfers: bool,
     /// Number of pieces that the rank did not make again.
     pub recalled: u64,
     /// Number of pieces that the rank made and wrote.
@@ -63,8 +70,10 @@ pub struct Journal {
     /// The number of the last part, and of what was chosen since.
     last_number: Mutex<u64>,
     writer: Mutex<Writer>,
+    /// The fingerprint of the surfaces, where their transfers alone are kept.
+    surfaces: Option<u64>,
     /// The last to be dropped: it goes away where it is empty.
-    _folder: Folder,
+    _folder: Option<Folder>,
 }
 
 impl Journal {
@@ -83,7 +92,13 @@ impl Journal {
         let mut folder = Folder::open(folder)?;
         let old = folder.files(begin)?;
         let mut stored_pieces = StoredPieces::default();
-        old.iter().try_for_each(|file| stored_pieces.add(file, fingerprint))?;
+        for path in &old {
+            match stored_pieces.add(path, fingerprint).map_err(JournalError::of(path))? {
+                Owner::Own | Owner::Begun => {}
+                Owner::Earlier => return Err(JournalError::Earlier { path: path.clone() }),
+                Owner::Other => return Err(JournalError::Other { path: path.clone() }),
+            }
+        }
         // No rank makes its file before all have seen which there are.
         folder.is_made = any(folder.is_made);
         let writer = folder.begin(&old, rank, fingerprint)?;
@@ -94,15 +109,48 @@ impl Journal {
             recalled: AtomicU64::new(0),
             last_number: Mutex::new(fingerprint),
             writer: Mutex::new(writer),
-            _folder: folder,
+            surfaces: None,
+            _folder: Some(folder),
         })
     }
 
-    /// The next part of the run, of so many pieces.
-    pub(super) fn part(&self, name: PartName, pieces: usize) -> RecordedPart<'_> {
+    /// The transfers between the surfaces of this fingerprint that the file at `path` keeps, to be added to.
+    ///
+    /// # Errors
+    /// One that cannot be read and written, or that holds something else.
+    pub(super) fn of_transfers(path: &Path, surfaces: u64) -> Result<Self, JournalError> {
+        let mut stored_pieces = StoredPieces::default();
+        if path.exists() {
+            match stored_pieces.add(path, surfaces).map_err(JournalError::of_transfers(path))? {
+                Owner::Own | Owner::Begun => {}
+                Owner::Earlier => return Err(JournalError::EarlierTransfers { path: path.to_owned() }),
+                Owner::Other => return Err(JournalError::OtherGeometry { path: path.to_owned() }),
+            }
+        }
+        let writer = Writer::behind(stored_pieces.end(), path, surfaces);
+        Ok(Self {
+            stored_pieces,
+            recalled: AtomicU64::new(0),
+            last_number: Mutex::new(surfaces),
+            writer: Mutex::new(writer.map_err(JournalError::of_transfers(path))?),
+            surfaces: Some(surfaces),
+            _folder: None,
+        })
+    }
+
+    /// Whether it keeps transfers alone.
+    pub fn is_of_transfers(&self) -> bool {
+        self.surfaces.is_some()
+    }
+
+    /// The next part of the run, of so many pieces; None where it keeps no such part.
+    pub(super) fn part(&self, name: PartName, pieces: usize) -> Option<RecordedPart<'_>> {
+        if self.is_of_transfers() && !name.is_of_transfers() {
+            return None;
+        }
         let mut last_number = self.last_number.lock().expect("nobody panics on the way");
         *last_number = digest(&(*last_number, name, pieces));
-        RecordedPart { journal: self, number: *last_number }
+        Some(RecordedPart { journal: self, number: *last_number })
     }
 
     /// Takes note of a choice, for the numbers of all later parts
@@ -112,12 +160,22 @@ impl Journal {
         *last_number = digest(&(*last_number, choice));
     }
 
+    /// Takes note of all that the parts of an assembly follow from
+    /// ([`Ranks::note_assembly`](super::Ranks::note_assembly)).
+    pub(super) fn note_assembly(&self, assembly: &dyn std::fmt::Debug) {
+        if let Some(surfaces) = self.surfaces {
+            *self.last_number.lock().expect("nobody panics on the way") = surfaces;
+        }
+        self.note_choice(assembly);
+    }
+
     /// Pieces that this rank has recalled and recorded so far; all of it is handed to the system.
     pub fn tally(&self) -> Tally {
         let mut writer = self.writer();
         writer.flush();
         let written = writer.written();
         Tally {
+            are_transfers: self.is_of_transfers(),
             recalled: self.recalled.load(Ordering::Relaxed),
             recorded: written.pieces,
             bytes: written.bytes,

@@ -10,6 +10,8 @@ pub enum PartName {
     Blocks,
     /// Rays of elements.
     Rays,
+    /// Rows of pairs of many small flat elements.
+    Facets,
     /// Projections of direct light, and of its first bounce, element by element.
     FirstBounce,
     /// Ends of walks by which light from elements is judged.
@@ -50,4 +52,11 @@ pub enum PartName {
     Crossings,
     /// Places that samples of pixels see, and direct light there.
     SampleLight,
+}
+
+impl PartName {
+    /// Whether pieces of the part follow from the geometry and the options of an assembly alone.
+    pub(super) fn is_of_transfers(self) -> bool {
+        matches!(self, Self::SortedPairs | Self::Blocks | Self::Rays | Self::Facets)
+    }
 }

@@ -37,6 +37,19 @@ pub(super) const ROWS: &[Typed] = &[
         told: &["no emissivity is given for", "help: give the material emissivity = …, 0 < ε ≤ 1"],
     },
     Typed {
+        bad: "heat cool.toml --transfers room.toml",
+        cured: "heat cool.toml --transfers kept.transfers",
+        told: &[
+            "room.toml: these are no transfers between",
+            "help: give the scene whose transfers are kept there",
+        ],
+    },
+    Typed {
+        bad: "heat cool.toml --transfers nowhere/kept",
+        cured: "heat cool.toml --transfers kept.transfers",
+        told: &["nowhere/kept", "help: choose a file that can be read and written"],
+    },
+    Typed {
         bad: "heat cool.toml --rays 10000 --order 2",
         cured: "heat cool.toml --order 2",
         told: &["--rays does not go with --order 2", "help: leave one of them out"],

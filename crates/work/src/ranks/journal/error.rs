@@ -26,6 +26,26 @@ pub enum JournalError {
         /// A file of that journal.
         path: PathBuf,
     },
+    /// The file holds something else than transfers between these surfaces.
+    #[error("{}: these are no transfers between the surfaces of this scene, or another version of this program kept them", path.display())]
+    OtherGeometry {
+        /// The file.
+        path: PathBuf,
+    },
+    /// The file holds transfers of an earlier version of the program, which are of no use.
+    #[error("{}: these transfers were kept by an earlier version of this program", path.display())]
+    EarlierTransfers {
+        /// The file.
+        path: PathBuf,
+    },
+    /// A file of transfers cannot be read or written.
+    #[error("{}: {source}", path.display())]
+    Transfers {
+        /// The file.
+        path: PathBuf,
+        /// Error of the system.
+        source: io::Error,
+    },
     /// The folder holds the journal of another run.
     #[error("{}: this records a run of another scene, or with other options, or of another program", path.display())]
     Other {
@@ -43,6 +63,11 @@ impl JournalError {
             }
             Self::Used { .. } => "add --resume to go on from there, or choose another folder",
             Self::Earlier { .. } => "start anew in another folder, or go on with the program that began it",
+            Self::OtherGeometry { .. } => {
+                "give the scene whose transfers are kept there, or choose a file that is not there yet"
+            }
+            Self::EarlierTransfers { .. } => "choose a file that is not there yet, or remove this one",
+            Self::Transfers { .. } => "choose a file that can be read and written, in a folder that exists",
             Self::Other { .. } => "give the scene and the options of that run, or choose another folder",
         }
     }
@@ -50,5 +75,10 @@ impl JournalError {
     pub(super) fn of(path: &Path) -> impl FnOnce(io::Error) -> Self {
         let path = path.to_owned();
         move |source| Self::File { path, source }
+    }
+
+    pub(super) fn of_transfers(path: &Path) -> impl FnOnce(io::Error) -> Self {
+        let path = path.to_owned();
+        move |source| Self::Transfers { path, source }
     }
 }

@@ -7,7 +7,6 @@ use std::io::{BufReader, Read, Seek, SeekFrom};
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 
-use super::error::JournalError;
 use super::header::{HEADER, Owner, owner};
 use super::record::{CHECK, HEAD, Key, next_head, piece};
 
@@ -37,27 +36,27 @@ struct RecordPlace {
 }
 
 impl StoredPieces {
-    /// Takes note of what a file holds; how it was made says `fingerprint`. A piece is checked when it is
-    /// wanted.
+    /// Takes note of what a file holds that was made with this fingerprint, and tells whose it is. A piece is checked
+    /// when it is wanted.
     ///
     /// # Errors
-    /// One that cannot be read, or is of another run or of an earlier version of the program.
-    pub(super) fn add(&mut self, path: &Path, fingerprint: u64) -> Result<(), JournalError> {
-        let file = File::open(path).map_err(JournalError::of(path))?;
-        let number = self.files.len() as u32;
+    /// One that cannot be read.
+    pub(super) fn add(&mut self, path: &Path, fingerprint: u64) -> io::Result<Owner> {
+        let file = File::open(path)?;
         let mut reader = BufReader::new(&file);
-        match begun(&mut reader, fingerprint).map_err(JournalError::of(path))? {
-            Owner::Own => {
-                let size = file.metadata().map_err(JournalError::of(path))?.len();
-                self.places.extend(records(reader, size, number).map_err(JournalError::of(path))?);
-            }
-            Owner::Begun => {}
-            Owner::Earlier => return Err(JournalError::Earlier { path: path.to_owned() }),
-            Owner::Other => return Err(JournalError::Other { path: path.to_owned() }),
+        let owner = begun(&mut reader, fingerprint)?;
+        if owner == Owner::Own {
+            let (size, number) = (file.metadata()?.len(), self.files.len() as u32);
+            self.places.extend(records(reader, size, number)?);
         }
         let open = (self.files.len() < OPEN).then(|| Mutex::new(file));
         self.files.push(StoredFile { path: path.to_owned(), open });
-        Ok(())
+        Ok(owner)
+    }
+
+    /// Where the last whole record ends; 0 without one.
+    pub(super) fn end(&self) -> u64 {
+        self.places.values().map(RecordPlace::end).max().unwrap_or(0)
     }
 
     /// The bytes of a piece, if they are known and whole.
@@ -65,6 +64,12 @@ impl StoredPieces {
         let place = self.places.get(key)?;
         let record = self.files[place.file as usize].read(place).ok()?;
         piece(key, &record).map(<[u8]>::to_vec)
+    }
+}
+
+impl RecordPlace {
+    fn end(&self) -> u64 {
+        self.start + u64::from(self.length) + (HEAD + CHECK) as u64
     }
 }
 
@@ -96,11 +101,12 @@ fn records(mut reader: BufReader<&File>, size: u64, file: u32) -> io::Result<Has
     let mut found = HashMap::new();
     let mut start = HEADER as u64;
     while let Some((key, length)) = next_head(&mut reader) {
-        let end = start + u64::from(length) + (HEAD + CHECK) as u64;
+        let place = RecordPlace { start, length, file };
+        let end = place.end();
         if end > size {
             break;
         }
-        found.insert(key, RecordPlace { start, length, file });
+        found.insert(key, place);
         reader.seek_relative((end - start) as i64 - HEAD as i64)?;
         start = end;
     }

@@ -3,7 +3,7 @@
 use std::fs;
 use std::fs::{File, OpenOptions};
 use std::io;
-use std::io::{BufWriter, Write};
+use std::io::{BufWriter, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
@@ -16,10 +16,11 @@ const AT_STAKE: Duration = Duration::from_secs(1);
 /// Bytes that are handed to the system together. Chosen.
 const TOGETHER: usize = 1 << 16;
 
-/// The file that this rank writes; it goes away where nothing was written into it.
+/// The file that this rank writes; a new one goes away where nothing was written into it.
 #[derive(Debug)]
 pub(super) struct Writer {
     path: PathBuf,
+    is_new: bool,
     file: BufWriter<File>,
     /// Time that the pieces took that were not handed to the system yet.
     at_stake: Duration,
@@ -42,15 +43,36 @@ impl Writer {
     /// One that is there already, or cannot be written.
     pub(super) fn new(path: &Path, fingerprint: u64) -> io::Result<Self> {
         let file = OpenOptions::new().write(true).create_new(true).open(path)?;
-        let mut writer = Self::to(file, path);
-        writer.file.write_all(&header(fingerprint))?;
-        writer.file.flush()?;
-        Ok(writer)
+        Self::to(file, path, true).beginning(fingerprint)
     }
 
-    fn to(file: File, path: &Path) -> Self {
+    /// The file at `path` behind its first `end` bytes, which are whole; 0 where it holds nothing yet.
+    ///
+    /// # Errors
+    /// One that cannot be written.
+    pub(super) fn behind(end: u64, path: &Path, fingerprint: u64) -> io::Result<Self> {
+        let is_new = !path.exists();
+        let mut file = OpenOptions::new().write(true).create(true).truncate(false).open(path)?;
+        if end > 0 {
+            file.set_len(end)?;
+            file.seek(SeekFrom::Start(end))?;
+            return Ok(Self::to(file, path, is_new));
+        }
+        file.set_len(0)?;
+        Self::to(file, path, is_new).beginning(fingerprint)
+    }
+
+    /// The writer behind its header.
+    fn beginning(mut self, fingerprint: u64) -> io::Result<Self> {
+        self.file.write_all(&header(fingerprint))?;
+        self.file.flush()?;
+        Ok(self)
+    }
+
+    fn to(file: File, path: &Path, is_new: bool) -> Self {
         let file = BufWriter::with_capacity(TOGETHER, file);
-        Self { path: path.to_owned(), file, at_stake: Duration::ZERO, written: Written::default() }
+        let (path, written) = (path.to_owned(), Written::default());
+        Self { path, is_new, file, at_stake: Duration::ZERO, written }
     }
 
     /// Appends a piece that took so long; where that fails, no further one is written.
@@ -87,7 +109,7 @@ impl Writer {
 
 impl Drop for Writer {
     fn drop(&mut self) {
-        if self.written.pieces == 0 {
+        if self.is_new && self.written.pieces == 0 {
             // A file that stays holds nothing that would be missed.
             drop(fs::remove_file(&self.path));
         }
@@ -102,7 +124,7 @@ mod tests {
     #[cfg(target_os = "linux")]
     fn a_full_disk_is_told_and_work_goes_on() {
         let full = OpenOptions::new().write(true).open("/dev/full").expect("Linux has it");
-        let mut writer = Writer::to(full, Path::new("nowhere/full.journal"));
+        let mut writer = Writer::to(full, Path::new("nowhere/full.journal"), true);
         let key = Key { part: 1, piece: 0 };
         writer.write(&key, b"of work", Duration::ZERO);
         assert_eq!(writer.written().failed, None, "nothing was handed to the system");
