@@ -52,19 +52,18 @@ pub fn missed_by_rays(factors: &ViewFactors, eps: f64) -> Option<Wording> {
     let [found, asked] = [error, eps].map(|part| significant(100.0 * part, 2));
     let told = format!(
         "rays leave errors of up to {found} % of the largest factor of a row, that of '{}', where {asked} % was asked for, \
-         which {count} of {} rows miss: send more with ",
+         which {count} of {} rows miss: ",
         factors.names[surface],
         factors.names.len()
     );
-    Some(
-        words(told)
-            + option("rays")
-            + ", or take "
-            + set("transport", "exact")
-            + " without "
-            + option("rays")
-            + ", which takes its time",
-    )
+    let exact = words(", or take ") + set("transport", "exact");
+    Some(match factors.has_rays_of_pairs {
+        true => words(told + "a smaller ") + option("eps") + " sends more" + exact + ", which takes its time",
+        false => {
+            let rays = words(told + "send more with ") + option("rays");
+            rays + exact + " without " + option("rays") + ", which takes its time"
+        }
+    })
 }
 
 #[cfg(test)]

@@ -22,30 +22,37 @@
 //! ```
 //!
 //! and rounding alone where closed forms carry a row. Rays may carry the pairs, where rules would take long (`plan`);
-//! what they leave in a row is about the largest of its errors (`row_noise`), and adds to that of the rules.
+//! what they leave in a row is about the largest of its errors (`row_noise`), and adds to that of the rules. Of many
+//! small flat surfaces each pair has rays of its own, which tell what is hidden of it (`facet_errors`).
 
 mod options;
 mod plan;
 mod row_noise;
 mod by_rays;
+mod exchanges;
+mod facet_errors;
 
+use std::fmt::Debug;
 use std::time::{Duration, Instant};
 
 use radiosity_elements::cells::Layers;
 use radiosity_elements::space::Space;
 use radiosity_elements::{Discretization, Elements, Subdivide};
-use radiosity_kernel::{Blocks, PairCounts, PlacedBlock, RowError, WorstError};
+use radiosity_kernel::{Blocks, PairCounts, RowError, WorstError};
 use radiosity_scene::Scene;
 use radiosity_solvers::method::Method;
 use radiosity_transport as transport;
-use radiosity_transport::{Demand, FactorEnds};
+use radiosity_transport::{Demand, FacetExchanges, FacetTransport, FactorEnds};
 use radiosity_visibility::Visibility;
 use radiosity_work::{Progress, Stage, Work};
 
 use crate::driver::cost::{seconds_of_rays, seconds_of_samples};
 use crate::driver::memory_estimate::MemoryEstimate;
 use crate::driver::{Failure, MemoryReduction, TransportChoice, in_threads};
+use crate::geometry::AssemblyGeometry;
 use by_rays::{Carried, FactorRays};
+use exchanges::Exchanges;
+use facet_errors::FacetErrors;
 pub use options::Options;
 use plan::Plan;
 use row_noise::RowNoise;
@@ -58,6 +65,16 @@ const EXPLAINED: f64 = 3.0;
 /// third on a paraboloid.
 const REACHED: f64 = 0.1;
 
+/// Fewest surfaces whose pairs have rays of their own. Chosen: a few large ones are told apart better by rays of each.
+const FEWEST_FACETS: usize = 256;
+
+/// Bytes that a pair of small flat surfaces takes, at the most: an exchange, and errors of those of which a part is
+/// hidden. Counted from their types, not measured.
+const FACET_PAIR: f64 = 20.0;
+
+/// Bytes that such pairs take where nothing is said of memory. Chosen.
+const USUALLY_MOST: f64 = 5e9;
+
 /// The view factors of a scene. Only pairs that see each other take memory.
 #[derive(Debug)]
 pub struct ViewFactors {
@@ -65,13 +82,14 @@ pub struct ViewFactors {
     pub names: Vec<String>,
     /// Areas of the surfaces (scene length²).
     pub areas: Vec<f64>,
-    /// The pairs (j, A_i F_ij) of each surface i (length²), ascending in j; each exchange is stored for i and
-    /// for j.
-    exchanges: Vec<Vec<(u32, f64)>>,
+    /// A_i F_ij (length²).
+    exchanges: Exchanges,
     /// The method's own estimate of the largest error of a factor in the row of each surface.
     pub errors: Vec<f64>,
     /// The carrier of the pairs, and why.
     pub choice: TransportChoice,
+    /// Whether each pair had rays of its own.
+    pub has_rays_of_pairs: bool,
     /// Pairs of elements that rules carried where rays carried the others.
     pub exact_pairs: usize,
     /// Numbers of pairs by how they were treated.
@@ -122,78 +140,65 @@ impl ViewFactors {
         let start = Instant::now();
         let found =
             in_threads(work.ranks.threads(options.threads), || constants(scene, wanted, options, work))??;
-        let Constants { elements, blocks, choice, noise, exact_pairs } = found;
-        let areas = areas(scene, &elements);
+        let areas = areas(scene, &found.elements);
+        let names = scene.surfaces.iter().map(|surface| surface.name.clone()).collect();
         let is_wanted = |i: usize, j: usize| wanted(i, j) || wanted(j, i);
-        let add_up = || exchanges(&elements, &blocks, areas.len(), &is_wanted);
-        let exchanges = work.during(Stage::Blocks, add_up);
-        let is_whole = |i: usize| (0..areas.len()).all(|j| is_wanted(i, j));
-        let known = row_errors(&elements, &blocks, areas.len());
-        let by_rays = noise.as_ref().map(|noise| noise.errors(&areas));
-        let error = |i: usize| match &by_rays {
-            Some(errors) => own_error(known[i], areas[i], None).hypot(errors[i]),
-            None => {
-                let is_told = known[i] != RowError::default() && is_whole(i);
-                own_error(known[i], areas[i], is_told.then(|| sum(&exchanges[i])))
-            }
-        };
-        let errors = (0..areas.len()).map(error).collect();
-        Ok(Self {
-            names: scene.surfaces.iter().map(|surface| surface.name.clone()).collect(),
-            errors,
-            exchanges,
-            areas,
-            choice,
-            exact_pairs,
-            pairs: blocks.statistics.pairs,
-            samples: blocks.statistics.distinct,
-            rays: blocks.statistics.rays,
-            left_in_blocks: blocks.statistics.accuracy_reached,
-            worst_error: blocks.statistics.worst_error.map(|worst| WorstError {
-                pair: worst.pair.map(|element| elements.list()[element].surface),
-                ..worst
-            }),
-            elapsed: start.elapsed(),
-        })
+        let add_up = || found.factors(areas, names, &is_wanted);
+        let factors = work.during(Stage::Blocks, add_up);
+        Ok(Self { elapsed: start.elapsed(), ..factors })
     }
 
     /// F_ij, the share of the power leaving surface i that reaches surface j.
     pub fn factor(&self, i: usize, j: usize) -> f64 {
-        let row = &self.exchanges[i];
-        row.binary_search_by_key(&j, |(column, _)| *column as usize)
-            .map_or(0.0, |place| row[place].1 / self.areas[i])
+        self.exchanges.of(i, j) / self.areas[i]
     }
 
     /// All factors from surface i, zeros included.
     pub fn row(&self, i: usize) -> Vec<f64> {
         let mut row = vec![0.0; self.names.len()];
-        self.exchanges[i].iter().for_each(|(j, exchange)| row[*j as usize] = exchange / self.areas[i]);
+        self.exchanges.row(i).for_each(|(j, exchange)| row[j] = exchange / self.areas[i]);
         row
     }
 
     /// The factors from surface i that are not zero, as (j, F_ij), ascending in j.
     pub fn nonzeros(&self, i: usize) -> impl Iterator<Item = (usize, f64)> {
-        let own = self.exchanges[i].iter().filter(|(_, exchange)| *exchange != 0.0);
-        own.map(move |(j, exchange)| (*j as usize, exchange / self.areas[i]))
+        let own = self.exchanges.row(i).filter(|(_, exchange)| *exchange != 0.0);
+        own.map(move |(j, exchange)| (j, exchange / self.areas[i]))
+    }
+
+    /// The rows of all surfaces as [`ViewFactors::row`], one after the other, which takes less than each by itself.
+    pub fn rows(&self) -> impl Iterator<Item = Vec<f64>> + Clone {
+        self.sparse_rows().map(|own| {
+            let mut row = vec![0.0; self.names.len()];
+            own.into_iter().for_each(|(j, factor)| row[j] = factor);
+            row
+        })
+    }
+
+    /// The rows of all surfaces as [`ViewFactors::nonzeros`], one after the other, which takes less than each by itself.
+    pub fn sparse_rows(&self) -> impl Iterator<Item = Vec<(usize, f64)>> + Clone {
+        self.exchanges.rows().zip(&self.areas).map(|(row, area)| {
+            let own = row.into_iter().filter(|(_, exchange)| *exchange != 0.0);
+            own.map(|(j, exchange)| (j, exchange / area)).collect()
+        })
     }
 
     /// Σ_j F_ij of each surface: 1 if no power that leaves it is lost.
     pub fn row_sums(&self) -> Vec<f64> {
-        self.exchanges.iter().zip(&self.areas).map(|(row, area)| sum(row) / area).collect()
+        self.exchanges.sums().iter().zip(&self.areas).map(|(sum, area)| sum / area).collect()
     }
 
     /// The error of each row relative to its largest factor, ascending; of rows without one nothing.
     pub fn relative_errors(&self) -> Vec<f64> {
-        let mut errors: Vec<f64> = (0..self.errors.len()).filter_map(|i| self.relative_error(i)).collect();
+        let mut errors: Vec<f64> = self.errors_of_rows().into_iter().flatten().collect();
         errors.sort_by(f64::total_cmp);
         errors
     }
 
-    /// The error of a row relative to its largest factor; None of a row without one.
-    fn relative_error(&self, i: usize) -> Option<f64> {
-        let exchanges = self.exchanges[i].iter().map(|(_, exchange)| *exchange);
-        let largest = exchanges.fold(0.0, f64::max) / self.areas[i];
-        (largest > 0.0).then(|| self.errors[i] / largest)
+    /// The error of each row relative to its largest factor; None of a row without one.
+    fn errors_of_rows(&self) -> Vec<Option<f64>> {
+        let rows = self.exchanges.largest().into_iter().zip(&self.areas).zip(&self.errors);
+        rows.map(|((largest, area), error)| (largest > 0.0).then(|| error * area / largest)).collect()
     }
 
     /// The rows in which rays leave a larger error than `eps` of the largest factor; None where they leave none.
@@ -201,7 +206,8 @@ impl ViewFactors {
         if !self.choice.sampled {
             return None;
         }
-        let rows = (0..self.errors.len()).filter_map(|i| Some((i, self.relative_error(i)?)));
+        let rows = self.errors_of_rows().into_iter().enumerate();
+        let rows = rows.filter_map(|(i, error)| Some((i, error?)));
         let missed: Vec<(usize, f64)> = rows.filter(|(_, error)| *error > eps).collect();
         let (surface, error) = missed.iter().copied().max_by(|a, b| a.1.total_cmp(&b.1))?;
         Some(MissedRows { count: missed.len(), surface, error })
@@ -219,11 +225,6 @@ impl ViewFactors {
             && self.pairs.partly_hidden == 0
             && self.pairs.contour == self.pairs.integrated()
     }
-}
-
-/// Σ_j A_i F_ij of a row (length²).
-fn sum(row: &[(u32, f64)]) -> f64 {
-    row.iter().map(|(_, exchange)| exchange).sum()
 }
 
 /// The errors of the exchanges of each surface.
@@ -245,14 +246,111 @@ fn own_error(error: RowError, area: f64, sum: Option<f64>) -> f64 {
     known.max(missed).max(f64::EPSILON)
 }
 
-/// Elements that carry constants, their blocks, and what is known of these.
+/// Elements that carry constants, and what is known of their pairs.
 struct Constants {
     elements: Elements,
-    blocks: Blocks,
     choice: TransportChoice,
-    /// The errors that rays leave, where they carry the pairs.
-    noise: Option<RowNoise>,
-    exact_pairs: usize,
+    found: Found,
+}
+
+/// Exchanges of elements.
+enum Found {
+    /// Blocks by rules or by rays.
+    Blocks {
+        blocks: Blocks,
+        /// The errors that rays leave, where they carry the pairs.
+        noise: Option<RowNoise>,
+        exact_pairs: usize,
+    },
+    /// Exchanges of many small flat surfaces.
+    Facets(FacetExchanges),
+}
+
+impl Constants {
+    /// The factors between surfaces of these areas and names, of the pairs that are wanted.
+    fn factors(
+        self,
+        areas: Vec<f64>,
+        names: Vec<String>,
+        is_wanted: &dyn Fn(usize, usize) -> bool,
+    ) -> ViewFactors {
+        let Self { elements, choice, found } = self;
+        match found {
+            Found::Facets(found) => of_facets(found, choice, areas, names),
+            Found::Blocks { blocks, noise, exact_pairs } => {
+                let exchanges = Exchanges::of_blocks(&elements, &blocks, areas.len(), is_wanted);
+                let errors = errors(&elements, &blocks, noise.as_ref(), &areas, &exchanges, is_wanted);
+                ViewFactors {
+                    names,
+                    errors,
+                    exchanges,
+                    areas,
+                    choice,
+                    has_rays_of_pairs: false,
+                    exact_pairs,
+                    pairs: blocks.statistics.pairs,
+                    samples: blocks.statistics.distinct,
+                    rays: blocks.statistics.rays,
+                    left_in_blocks: blocks.statistics.accuracy_reached,
+                    worst_error: blocks.statistics.worst_error.map(|worst| WorstError {
+                        pair: worst.pair.map(|element| elements.list()[element].surface),
+                        ..worst
+                    }),
+                    elapsed: Duration::ZERO,
+                }
+            }
+        }
+    }
+}
+
+/// The factors between many small flat surfaces.
+fn of_facets(
+    found: FacetExchanges,
+    choice: TransportChoice,
+    areas: Vec<f64>,
+    names: Vec<String>,
+) -> ViewFactors {
+    let FacetExchanges { rows, first, pairs, samples, segments, exact } = found;
+    let known = FacetErrors::of(&rows, first);
+    let exchanges = Exchanges::of_facets(rows);
+    ViewFactors {
+        names,
+        errors: known.largest(&areas, &exchanges.largest()),
+        exchanges,
+        choice,
+        has_rays_of_pairs: true,
+        exact_pairs: exact,
+        pairs,
+        samples,
+        rays: segments,
+        left_in_blocks: known.of_sums(&areas),
+        worst_error: None,
+        areas,
+        elapsed: Duration::ZERO,
+    }
+}
+
+/// The errors of the rows of factors by blocks.
+fn errors(
+    elements: &Elements,
+    blocks: &Blocks,
+    noise: Option<&RowNoise>,
+    areas: &[f64],
+    exchanges: &Exchanges,
+    is_wanted: &dyn Fn(usize, usize) -> bool,
+) -> Vec<f64> {
+    let is_whole = |i: usize| (0..areas.len()).all(|j| is_wanted(i, j));
+    let known = row_errors(elements, blocks, areas.len());
+    let by_rays = noise.map(|noise| noise.errors(areas));
+    let sums = exchanges.sums();
+    let error = |i: usize| match &by_rays {
+        Some(errors) => own_error(known[i], areas[i], None).hypot(errors[i]),
+        None => {
+            let is_told = known[i] != RowError::default() && is_whole(i);
+            own_error(known[i], areas[i], is_told.then(|| sums[i]))
+        }
+    };
+    (0..areas.len()).map(error).collect()
 }
 
 fn constants(
@@ -273,13 +371,20 @@ fn constants(
         (visibility, how, plan)
     };
     let (visibility, how, Plan { choice, rays, seconds }) = work.during(Stage::Visibility, decide);
-    work.ranks.note_choice(&choice.sampled);
-    work.report(Progress::Expected { stage: Stage::Blocks, seconds });
+    let expect = |seconds: f64| work.report(Progress::Expected { stage: Stage::Blocks, seconds });
     if choice.sampled {
         // Rays find shadows wherever they are.
         scene.surfaces.iter_mut().for_each(|surface| surface.subdivide = None);
         let cut = || Elements::new(&scene, &constant_on(Subdivide::Uniform(1)));
         let elements = work.during(Stage::Elements, cut)?;
+        note_assembly(&scene, &elements, &wanted, &(accuracy, options.shadows, rays), work);
+        if let Some(transport) = facets(&elements, &visibility, options, work) {
+            expect(transport.seconds());
+            let find = || transport.exchanges(&wanted);
+            let found = work.during(Stage::Blocks, find);
+            return Ok(Constants { elements, choice, found: Found::Facets(found) });
+        }
+        expect(seconds);
         let (is_given, memory) = (options.rays.is_some(), options.memory);
         let sent = FactorRays {
             elements: &elements,
@@ -291,18 +396,51 @@ fn constants(
             work,
         };
         let Carried { blocks, noise, exact_pairs } = work.during(Stage::Blocks, || sent.carried())?;
-        return Ok(Constants { elements, blocks, choice, noise: Some(noise), exact_pairs });
+        let found = Found::Blocks { blocks, noise: Some(noise), exact_pairs };
+        return Ok(Constants { elements, choice, found });
     }
+    expect(seconds);
     if options.subdivide.is_none() {
         work.during(Stage::Visibility, || keep_whole(&mut scene, &visibility));
     }
     require_memory(&scene, &how, options, work)?;
     let elements = work.during(Stage::Elements, || Elements::new(&scene, &how))?;
+    note_assembly(&scene, &elements, &wanted, &(accuracy, options.shadows), work);
     let surface = |element: usize| elements.list()[element].surface;
     let wanted = |a, b| wanted(surface(a), surface(b));
     let demand = Demand { whole: FactorEnds::Surface, ..Demand::all(&elements, &visibility, accuracy) };
     let blocks = work.during(Stage::Blocks, || transport::assemble(demand.of(&wanted), None, work));
-    Ok(Constants { elements, blocks, choice, noise: None, exact_pairs: 0 })
+    Ok(Constants { elements, choice, found: Found::Blocks { blocks, noise: None, exact_pairs: 0 } })
+}
+
+/// The transport of many small flat surfaces, where these are such, no number of rays is given and memory suffices.
+fn facets<'a>(
+    elements: &'a Elements,
+    visibility: &'a Visibility,
+    options: &Options,
+    work: &'a Work<'a>,
+) -> Option<FacetTransport<'a>> {
+    let list = elements.list();
+    let are_surfaces = list.iter().enumerate().all(|(index, element)| element.surface == index);
+    let needed = FACET_PAIR * 0.5 * (list.len() as f64).powi(2);
+    let fits = needed <= options.memory.map_or(USUALLY_MOST, |bytes| bytes as f64);
+    if options.rays.is_some() || !are_surfaces || list.len() < FEWEST_FACETS || !fits {
+        return None;
+    }
+    FacetTransport::new(elements, visibility, options.accuracy.eps, work)
+}
+
+/// Notes what the factors between the elements of `wanted` pairs of surfaces follow from, by these `options`.
+fn note_assembly(
+    scene: &Scene,
+    elements: &Elements,
+    wanted: &(dyn Fn(usize, usize) -> bool + Sync),
+    options: &dyn Debug,
+    work: &Work<'_>,
+) {
+    let surface = |element: usize| elements.list()[element].surface;
+    let wanted = |a: usize, b: usize| wanted(surface(a), surface(b));
+    work.ranks.note_assembly(&(options, AssemblyGeometry { scene, elements, wanted: &wanted }));
 }
 
 /// Leaves surfaces uncut between whose wholes a rule knows what is seen past coaxial cylinders.
@@ -335,39 +473,6 @@ fn require_memory(
 fn areas(scene: &Scene, elements: &Elements) -> Vec<f64> {
     let area = |surface| elements.of_surface(surface).map(|element| elements.list()[element].area).sum();
     (0..scene.surfaces.len()).map(area).collect()
-}
-
-/// A_i F_ij of all pairs that are wanted and exchange anything.
-fn exchanges(
-    elements: &Elements,
-    blocks: &Blocks,
-    surfaces: usize,
-    is_wanted: &dyn Fn(usize, usize) -> bool,
-) -> Vec<Vec<(u32, f64)>> {
-    let list = elements.list();
-    let mut rows: Vec<Vec<(u32, f64)>> = vec![Vec::new(); surfaces];
-    for PlacedBlock { row: a, column: b, values } in blocks.gathered().iter() {
-        let exchange = values[0] * (list[a].area * list[b].area).sqrt();
-        let (i, j) = (list[a].surface, list[b].surface);
-        if !is_wanted(i, j) {
-            continue;
-        }
-        rows[i].push((j as u32, exchange));
-        // Two different elements of one surface exchange in both directions.
-        if a != b {
-            rows[j].push((i as u32, exchange));
-        }
-    }
-    for row in &mut rows {
-        row.sort_by_key(|(column, _)| *column);
-        row.dedup_by(|next, kept| {
-            let same = next.0 == kept.0;
-            kept.1 += if same { next.1 } else { 0.0 };
-            same
-        });
-        row.shrink_to_fit();
-    }
-    rows
 }
 
 #[cfg(test)]
@@ -443,6 +548,56 @@ mod tests {
         let sum = |of: usize| rows.iter().map(|row| row[of].powi(2)).sum::<f64>();
         let ratio = (sum(0) / sum(1)).sqrt();
         assert!(share >= 0.95 && (0.5..1.1).contains(&ratio), "{share} of rows, {ratio}: {rows:?}");
+    }
+
+    /// The faces of a box, fronts out, or in where it is `flipped`, each cut into so many tiles along either side.
+    fn tiles(origin: f64, size: f64, cuts: usize, flipped: bool) -> String {
+        let at = |axis: usize, place: [f64; 3]| -> String {
+            let mut point = [0.0; 3];
+            (0..3).for_each(|k| point[(axis + k) % 3] = place[k]);
+            format!("{point:?}")
+        };
+        let step = size / cuts as f64;
+        let mut text = String::new();
+        for (axis, is_far, i, j) in
+            (0..6 * cuts * cuts).map(|k| (k % 3, k / 3 % 2 == 1, k / 6 % cuts, k / 6 / cuts))
+        {
+            let height = origin + if is_far { size } else { 0.0 };
+            let corner = at(axis, [height, origin + i as f64 * step, origin + j as f64 * step]);
+            let (first, second) = (at(axis, [0.0, step, 0.0]), at(axis, [0.0, 0.0, step]));
+            text += &format!(
+                "[[surfaces]]\nflip = {}\nparallelogram = {{ origin = {corner}, edge1 = {first}, edge2 = {second} }}\n",
+                is_far == flipped
+            );
+        }
+        text
+    }
+
+    /// A room with a box in it, all cut into tiles.
+    fn tiled_room() -> Scene {
+        let text = tiles(0.0, 1.0, 7, true) + &tiles(0.35, 0.3, 2, false);
+        radiosity_language::read(&radiosity_scene::Source::new("tiles", text)).expect("a room")
+    }
+
+    #[test]
+    fn segments_err_by_what_they_tell() {
+        let scene = tiled_room();
+        let exact = by(Transport::Exact, None, &scene);
+        let sampled = by(Transport::Sampled, None, &scene);
+        assert!(sampled.pairs.partly_hidden > 1000, "{:?}", sampled.pairs);
+        let rows = found_and_told(&exact, &sampled);
+        let within = rows.iter().filter(|[found, told]| *found <= 3.0 * told).count() as f64;
+        let sum = |of: usize| rows.iter().map(|row| row[of].powi(2)).sum::<f64>();
+        let (share, ratio) = (within / rows.len() as f64, (sum(0) / sum(1)).sqrt());
+        assert!(share >= 0.95 && (0.3..1.1).contains(&ratio), "{share} of rows, {ratio}");
+        let errors = sampled.relative_errors();
+        assert!(errors[errors.len() / 2] < 0.01, "{}", errors[errors.len() / 2]);
+        assert!(sampled.row_sums().iter().all(|sum| (sum - 1.0).abs() < 0.01));
+        for (i, j) in [(0, 1), (5, 200), (17, 300)] {
+            let [one, other] = [(i, j), (j, i)].map(|(i, j)| sampled.areas[i] * sampled.factor(i, j));
+            assert!((one - other).abs() <= 4.0 * f64::EPSILON * one, "{i} {j}");
+            assert_eq!(sampled.row(i)[j], sampled.factor(i, j));
+        }
     }
 
     #[test]

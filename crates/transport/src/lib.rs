@@ -9,7 +9,8 @@
 //!
 //! In order: `tolerances`, `occlusion` (hiding by blockers), `pair` (one pair of elements), `coaxial` (pairs
 //! about one axis), `known` (blocks from elsewhere), `kept_blocks` (blocks and rays of an earlier scene),
-//! `price` (the cost of a block), `schedule` (all pairs), `sampled` (blocks from rays), `unreached` (rays
+//! `price` (the cost of a block), `schedule` (all pairs), `sampled` (blocks from rays), `facets` (pairs of many
+//! small flat elements), `unreached` (rays
 //! where rules fail), `assembly` (all blocks) and `carrier` (blocks or links, as checks see them). Quadrature
 //! of one pair stands in `radiosity-kernel`.
 //!
@@ -24,6 +25,7 @@ pub mod kept_blocks;
 pub mod price;
 mod schedule;
 pub(crate) mod sampled;
+mod facets;
 pub(crate) mod unreached;
 mod assembly;
 mod carrier;
@@ -31,6 +33,7 @@ mod carrier;
 pub use assembly::assemble;
 pub use carrier::Carrier;
 pub use coaxial::best_whole;
+pub use facets::{FacetExchanges, FacetTransport, MixedPair, RowPairs};
 pub use kept_blocks::KeptBlocks;
 pub use kept_blocks::kept_rays::RayCounts;
 pub use known::{Known, KnownBlocks};

@@ -20,8 +20,8 @@ use crate::table::{Column, Listed, Value};
 /// Errors of writing to `out`.
 pub fn csv(factors: &ViewFactors, out: impl Write) -> io::Result<()> {
     let columns = [Column::text("surface"), Column::several("factors", &factors.names)];
-    let names = factors.names.iter().enumerate();
-    let rows = names.map(|(i, name)| [Value::from(name.as_str()), Value::numbers(factors.row(i))]);
+    let rows = factors.names.iter().zip(factors.rows());
+    let rows = rows.map(|(name, row)| [Value::from(name.as_str()), Value::numbers(row)]);
     Listed { columns: &columns, rows }.csv(out)
 }
 
@@ -31,7 +31,7 @@ pub fn csv(factors: &ViewFactors, out: impl Write) -> io::Result<()> {
 /// Errors of writing to `out`.
 pub fn npy(factors: &ViewFactors, out: impl Write) -> io::Result<()> {
     let count = factors.names.len();
-    npy::square(count, (0..count).map(|i| factors.row(i)), out)
+    npy::square(count, factors.rows(), out)
 }
 
 /// Storage of a matrix without its zeros.
@@ -51,7 +51,7 @@ pub enum Sparse {
 pub fn npz(factors: &ViewFactors, told: &CheckedFactors, out: impl Write) -> io::Result<()> {
     let count = factors.names.len();
     let mut archive = Archive::new(out);
-    archive.square("F", count, (0..count).map(|i| factors.row(i)))?;
+    archive.square("F", count, factors.rows())?;
     named(factors, told, archive)
 }
 
@@ -67,13 +67,14 @@ pub fn sparse_npz(
     out: impl Write,
 ) -> io::Result<()> {
     let rows = factors.names.len();
-    let entries = || (0..rows).flat_map(|i| factors.nonzeros(i).map(move |(j, factor)| (i, j, factor)));
+    let entry = |(i, row): (usize, Vec<(usize, f64)>)| row.into_iter().map(move |(j, factor)| (i, j, factor));
+    let entries = || factors.sparse_rows().enumerate().flat_map(entry);
     let count = entries().count();
     let mut archive = Archive::new(out);
     match sparse {
         Sparse::Csr => {
-            let ends = (0..rows).scan(0, |end, i| {
-                *end += factors.nonzeros(i).count();
+            let ends = factors.sparse_rows().scan(0, |end, row| {
+                *end += row.len();
                 Some(*end)
             });
             archive.word("format", "csr")?;
@@ -102,7 +103,8 @@ fn named<W: Write>(factors: &ViewFactors, told: &CheckedFactors, mut archive: Ar
 
 /// The pairs (i, j) whose factor is not zero, row by row.
 pub fn nonzero_pairs(factors: &ViewFactors) -> Vec<[usize; 2]> {
-    (0..factors.names.len()).flat_map(|i| factors.nonzeros(i).map(move |(j, _)| [i, j])).collect()
+    let rows = factors.sparse_rows().enumerate();
+    rows.flat_map(|(i, row)| row.into_iter().map(move |(j, _)| [i, j])).collect()
 }
 
 /// Characters of the first line that View3D writes, and reads back by their number.
@@ -120,7 +122,7 @@ pub fn view3d(factors: &ViewFactors, emittances: &[f64], mut out: impl Write) ->
     let first = format!("radiosity {} 0 0 0 {count}", env!("CARGO_PKG_VERSION"));
     writeln!(out, "{first:<VIEW3D_LINE$}")?;
     line(&factors.areas, &mut out)?;
-    (0..count).try_for_each(|i| line(&factors.row(i), &mut out))?;
+    factors.rows().try_for_each(|row| line(&row, &mut out))?;
     line(emittances, &mut out)
 }
 
@@ -247,7 +249,7 @@ impl Serialize for Rows<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let count = self.0.names.len();
         let mut rows = serializer.serialize_seq(Some(count))?;
-        (0..count).try_for_each(|i| rows.serialize_element(&self.0.row(i)))?;
+        self.0.rows().try_for_each(|row| rows.serialize_element(&row))?;
         rows.end()
     }
 }

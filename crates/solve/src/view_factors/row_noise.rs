@@ -28,7 +28,7 @@ use radiosity_transport::{Rays, SampledTransport};
 const ADDED: f64 = 4.0;
 
 /// The largest of m normal numbers over √(2 ln(1 + m)), on the average: 0.7 for one, 0.9 for a hundred.
-const MOST_OF: f64 = 0.9;
+pub(super) const MOST_OF: f64 = 0.9;
 
 /// Part of what a surface sees that its rays miss, times their number: f (1 − f)ⁿ ≤ 1/(e n).
 const MISSED: f64 = 0.37;

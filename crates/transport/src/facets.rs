@@ -1,0 +1,280 @@
+//! Exchanges of many small flat elements of constants, pair by pair: what nothing hides of a pair, by points or by a
+//! contour, times the part of it that segments see,
+//!
+//! ```text
+//! A_i F_ij = ∫∫ κ dA dA · v ,     v = Σ κ_k V_k / Σ κ_k     over segments k from points of i to points of j .
+//! ```
+//!
+//! Rays spread over the hemisphere land on each of N elements with 1/N of them, which tells a factor of 10⁻⁴ badly;
+//! here each pair has segments of its own. The first ones decide about most pairs: all are free or none is. Others
+//! get as many as their error needs, for e below the accuracy asked of the largest factor of either row,
+//!
+//! ```text
+//! e² = ∫∫ κ² · Σ κ_k² (V_k − v)² / (Σ κ_k)² .
+//! ```
+//!
+//! Pairs of which a part is hidden, and all of the first segments agree, are missed. A pair of a known part v, neither
+//! 0 nor 1, would have been missed with the probabilities vᵏ, as wholly seen, and (1 − v)ᵏ, as wholly hidden, and stands
+//! for p/(1 − p) pairs that were (D. Horvitz, D. Thompson, *J. Am. Stat. Assoc.* 47 (1952) 663-685).
+
+mod facet;
+mod segments;
+mod row_pairs;
+
+use radiosity_elements::Elements;
+use radiosity_kernel::PairCounts;
+use radiosity_visibility::Visibility;
+use radiosity_work::interruption::check_interrupt;
+use radiosity_work::ranks::PartName;
+use radiosity_work::{Stage, Work};
+use serde::{Deserialize, Serialize};
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use facet::Facet;
+pub use row_pairs::{MixedPair, RowPairs};
+use segments::Segments;
+
+/// Segments by which all pairs are decided about at [`USUAL_EPS`], and of one pair at least and at the most. Chosen:
+/// half a minute of one thread, and two minutes of ten thousand triangles.
+const FIRST_OF_ALL: f64 = 1e8;
+const FEWEST_FIRST: f64 = 4.0;
+const MOST_FIRST: f64 = 16.0;
+
+/// Accuracy for which these are the numbers.
+const USUAL_EPS: f64 = 1e-3;
+
+/// Fewest segments of a pair of which a part is hidden, and most of them for each of the first ones. Chosen.
+const FEWEST: u64 = 16;
+const MOST: u64 = 64;
+
+/// Seconds of two threads that a segment takes, and segments of pairs of which a part is hidden over the first ones.
+/// Measured on dented balls.
+const SEGMENT: f64 = 2.5e-7;
+const MORE: f64 = 0.3;
+
+/// Relative error of points at the least distance at which they are taken, at the most. Measured on triangles.
+const BY_POINTS: f64 = 1e-3;
+
+/// All flat elements of a scene, each with points for rules and segments.
+#[derive(Debug)]
+pub struct FacetTransport<'a> {
+    elements: &'a Elements,
+    visibility: &'a Visibility,
+    facets: Vec<Facet>,
+    /// Segments that decide about a pair where all agree.
+    first: u64,
+    /// Error that is asked for, over the largest factor of a row.
+    eps: f64,
+    work: &'a Work<'a>,
+}
+
+/// Exchanges of all pairs of facets.
+#[derive(Debug)]
+pub struct FacetExchanges {
+    /// The pairs of each facet with those after it.
+    pub rows: Vec<RowPairs>,
+    /// Segments that decided about a pair where all agreed.
+    pub first: u64,
+    /// Numbers of pairs by how they were treated.
+    pub pairs: PairCounts,
+    /// Evaluations of the kernel, or of logarithms in contour integrals.
+    pub samples: u64,
+    /// Segments that were tested.
+    pub segments: u64,
+    /// Pairs by contours, of which nothing is hidden as far as segments tell.
+    pub exact: usize,
+}
+
+/// Counts of the pairs of a row.
+#[derive(Clone, Copy, Debug, Default, Serialize, Deserialize)]
+struct Counts {
+    pairs: PairCounts,
+    samples: u64,
+    segments: u64,
+    exact: usize,
+}
+
+/// What the first segments find of a row.
+#[derive(Debug, Serialize, Deserialize)]
+struct FirstLook {
+    pairs: RowPairs,
+    /// Exchanges of those of which a part is hidden, if nothing hid it (length²).
+    whole: Vec<f64>,
+    counts: Counts,
+}
+
+/// What further segments find of the pairs of a row of which a part is hidden.
+#[derive(Debug, Serialize, Deserialize)]
+struct SecondLook {
+    pairs: Vec<MixedPair>,
+    segments: u64,
+}
+
+impl<'a> FacetTransport<'a> {
+    /// The transport between all elements, to about `eps` of the largest factor of a row where a part of a pair is
+    /// hidden; None where one is bent, or covers another.
+    pub fn new(
+        elements: &'a Elements,
+        visibility: &'a Visibility,
+        eps: f64,
+        work: &'a Work<'a>,
+    ) -> Option<Self> {
+        let list = elements.list();
+        let finer = (USUAL_EPS / eps).max(1.0);
+        let pairs = 0.5 * (list.len() as f64).powi(2);
+        let first = (finer * FIRST_OF_ALL / pairs).clamp(FEWEST_FIRST, finer * MOST_FIRST) as u64;
+        let facets = list.iter().zip(0..).map(|(element, number)| Facet::of(element, number, first));
+        Some(Self { elements, visibility, facets: facets.collect::<Option<_>>()?, first, eps, work })
+    }
+
+    /// About the seconds that two threads take.
+    pub fn seconds(&self) -> f64 {
+        let pairs = 0.5 * (self.facets.len() as f64).powi(2);
+        SEGMENT * (1.0 + MORE) * self.first as f64 * pairs
+    }
+
+    /// The exchanges of the `wanted` pairs.
+    pub fn exchanges(&self, wanted: &(dyn Fn(usize, usize) -> bool + Sync)) -> FacetExchanges {
+        let count = self.facets.len();
+        let done = AtomicUsize::new(0);
+        let tell =
+            || self.work.report_done(Stage::Blocks, done.fetch_add(1, Ordering::Relaxed) + 1, 2 * count);
+        let lengths: Vec<f64> = (1..=count).rev().map(|length| length as f64).collect();
+        let first = |row: usize| {
+            let found = self.first_look(row, wanted);
+            tell();
+            found
+        };
+        let mut looks = self.work.ranks.map(PartName::Facets, &lengths, first);
+        let allowed = self.allowed(&looks);
+        let mixed: Vec<f64> = looks.iter().map(|look| 1.0 + look.whole.len() as f64).collect();
+        let second = |row: usize| {
+            let found = self.second_look(row, &looks[row], &allowed);
+            tell();
+            found
+        };
+        let found = self.work.ranks.map(PartName::Facets, &mixed, second);
+        let mut counts = Counts::default();
+        for (look, SecondLook { pairs, segments }) in looks.iter_mut().zip(found) {
+            look.pairs.settle(pairs);
+            counts.add(&look.counts);
+            counts.segments += segments;
+        }
+        let Counts { pairs, samples, segments, exact } = counts;
+        FacetExchanges {
+            rows: looks.into_iter().map(|look| look.pairs).collect(),
+            first: self.first,
+            pairs,
+            samples,
+            segments,
+            exact,
+        }
+    }
+
+    /// The pairs of a facet with those after it, by the first segments.
+    fn first_look(&self, row: usize, wanted: &(dyn Fn(usize, usize) -> bool + Sync)) -> FirstLook {
+        let mut look = FirstLook { pairs: RowPairs::default(), whole: Vec::new(), counts: Counts::default() };
+        let own = &self.facets[row];
+        let list = self.elements.list();
+        for (column, other) in self.facets.iter().enumerate().skip(row + 1) {
+            check_interrupt();
+            if !wanted(row, column) {
+                look.counts.pairs.skipped_black += 1;
+                continue;
+            }
+            let Some(sight) = own.sight_of(other) else {
+                look.counts.pairs.skipped_behind += 1;
+                continue;
+            };
+            let (whole, samples) = if sight.is_far {
+                own.by_points(other)
+            } else {
+                facet::by_contour([&list[row], &list[column]])
+            };
+            look.counts.samples += samples;
+            let mut segments = self.segments(row, column);
+            segments.send(self.first);
+            look.counts.segments += segments.sent();
+            look.take(column, whole, sight.is_far, &segments);
+        }
+        look.counts.pairs.total = self.facets.len() - row - 1;
+        look.pairs.shrink();
+        look
+    }
+
+    /// The error of an exchange that each facet allows (length²).
+    fn allowed(&self, looks: &[FirstLook]) -> Vec<f64> {
+        let mut largest = vec![0.0_f64; looks.len()];
+        for (row, look) in looks.iter().enumerate() {
+            for (column, exchange) in look.pairs.iter() {
+                largest[row] = largest[row].max(exchange);
+                largest[column] = largest[column].max(exchange);
+            }
+        }
+        largest.into_iter().map(|largest| self.eps * largest).collect()
+    }
+
+    /// As many segments as the pairs need of which a part is hidden.
+    fn second_look(&self, row: usize, look: &FirstLook, allowed: &[f64]) -> SecondLook {
+        let mut found = SecondLook { pairs: Vec::with_capacity(look.whole.len()), segments: 0 };
+        for (column, whole) in look.pairs.mixed_columns().zip(&look.whole) {
+            check_interrupt();
+            let mut segments = self.segments(row, column);
+            segments.send(FEWEST);
+            let needed = segments.needed(allowed[row].min(allowed[column]) / whole);
+            segments.send(needed.min((MOST * self.first) as f64) as u64);
+            found.segments += segments.sent();
+            let (part, variance) = (segments.part() as f32, segments.variance() as f32);
+            found.pairs.push(MixedPair { whole: *whole, part, variance });
+        }
+        found
+    }
+
+    fn segments(&self, row: usize, column: usize) -> Segments<'_> {
+        let surface = self.elements.list()[row].surface;
+        Segments::between(&self.facets[row], &self.facets[column], surface, self.visibility)
+    }
+
+    /// Relative error of exchanges between what nothing hides, at the most.
+    pub fn error_of_points() -> f64 {
+        BY_POINTS
+    }
+}
+
+impl Counts {
+    fn add(&mut self, other: &Self) {
+        let (own, more) = (&mut self.pairs, &other.pairs);
+        own.total += more.total;
+        own.skipped_behind += more.skipped_behind;
+        own.skipped_hidden += more.skipped_hidden;
+        own.skipped_black += more.skipped_black;
+        own.contour += more.contour;
+        own.separated += more.separated;
+        own.partly_hidden += more.partly_hidden;
+        self.samples += other.samples;
+        self.segments += other.segments;
+        self.exact += other.exact;
+    }
+}
+
+impl FirstLook {
+    /// Takes a pair of which the first segments tell this.
+    fn take(&mut self, column: usize, whole: f64, is_far: bool, segments: &Segments) {
+        let counts = &mut self.counts.pairs;
+        if segments.are_none_free() {
+            counts.skipped_hidden += 1;
+            return;
+        }
+        match is_far {
+            true => counts.separated += 1,
+            false => counts.contour += 1,
+        }
+        if segments.are_all_free() {
+            self.counts.exact += usize::from(!is_far);
+            return self.pairs.push(column, whole);
+        }
+        counts.partly_hidden += 1;
+        self.pairs.push_mixed(column, whole * segments.part());
+        self.whole.push(whole);
+    }
+}

@@ -1,0 +1,83 @@
+//! Segments between two facets, which tell the part of their exchange that nothing hides.
+
+use radiosity_visibility::Visibility;
+
+use super::facet::{End, Facet};
+
+/// Segments between two facets, from the first on.
+pub(super) struct Segments<'a> {
+    facets: [&'a Facet; 2],
+    /// The surface that they start on.
+    surface: usize,
+    visibility: &'a Visibility,
+    sent: u64,
+    /// Σ κ, Σ κ V, Σ κ², Σ κ² V.
+    all: f64,
+    free: f64,
+    squares: f64,
+    free_squares: f64,
+}
+
+impl<'a> Segments<'a> {
+    /// None yet between these facets, the first of which lies on `surface`.
+    pub(super) fn between(
+        first: &'a Facet,
+        other: &'a Facet,
+        surface: usize,
+        visibility: &'a Visibility,
+    ) -> Self {
+        let facets = [first, other];
+        Self { facets, surface, visibility, sent: 0, all: 0.0, free: 0.0, squares: 0.0, free_squares: 0.0 }
+    }
+
+    /// Sends segments until there are so many.
+    pub(super) fn send(&mut self, count: u64) {
+        let [first, other] = self.facets;
+        for index in self.sent..count {
+            let ends = [first.point(End::Start, index), other.point(End::Stop, index)];
+            let kernel = first.kernel(ends, other);
+            self.all += kernel;
+            self.squares += kernel * kernel;
+            if kernel > 0.0 && self.visibility.is_free(Some(self.surface), ends[0], ends[1]) {
+                self.free += kernel;
+                self.free_squares += kernel * kernel;
+            }
+        }
+        self.sent = self.sent.max(count);
+    }
+
+    /// Segments so far.
+    pub(super) fn sent(&self) -> u64 {
+        self.sent
+    }
+
+    /// Whether nothing stops any that carries something.
+    pub(super) fn are_all_free(&self) -> bool {
+        self.free == self.all
+    }
+
+    /// Whether all that carry something are stopped.
+    pub(super) fn are_none_free(&self) -> bool {
+        self.free == 0.0 && self.all > 0.0
+    }
+
+    /// The part v that nothing hides.
+    pub(super) fn part(&self) -> f64 {
+        if self.all > 0.0 { self.free / self.all } else { 1.0 }
+    }
+
+    /// The variance of v.
+    pub(super) fn variance(&self) -> f64 {
+        if self.all <= 0.0 {
+            return 0.0;
+        }
+        let v = self.part();
+        let sum = (1.0 - 2.0 * v) * self.free_squares + v * v * self.squares;
+        sum.max(0.0) / (self.all * self.all)
+    }
+
+    /// Segments that are needed for this error of v.
+    pub(super) fn needed(&self, error: f64) -> f64 {
+        self.sent as f64 * self.variance() / (error * error)
+    }
+}
