@@ -1,16 +1,20 @@
 //! View factors judged by a referee: F_ij that are printed, beside the part of the rays of i that meets j.
 //!
-//! Of the rows that are judged, factors from 1e-3 on count, printed or found: of fewer a referee tells little.
+//! Of the rows that are judged, factors from 1e-3 on count, printed, or found for certain: of fewer a referee tells
+//! little, and of many that are about as large those would count that it found too large by chance.
 //! Factors of a row make a class of their own. Rows of surfaces on which something stands are left out: their
 //! factors are of the whole surface, and rays leave what is open.
 
-use radiosity_audit::{Checked, Effort, Judged, Verdict, ViewFactorReferee, ViewFactorRow};
+use radiosity_audit::{Checked, Effort, Judged, Mean, Verdict, ViewFactorReferee, ViewFactorRow};
 use radiosity_scene::Scene;
 use radiosity_solve::view_factors::ViewFactors;
 use radiosity_work::Work;
 
 /// The least factor that is judged. Chosen: below, thousands of rays meet the other surface a few times.
 const LEAST: f64 = 1e-3;
+
+/// Deviations by which a found factor is above that for certain. Chosen: one in thirty thousand is not.
+const FOR_CERTAIN: f64 = 4.0;
 
 /// Judged factors.
 #[derive(Clone, Debug)]
@@ -66,8 +70,11 @@ fn judged_row(
     row: &ViewFactorRow,
 ) -> Vec<JudgedFactor> {
     let printed = factors.row(row.surface);
-    let counts =
-        |to: &usize| wanted(row.surface, *to) && (printed[*to] >= LEAST || row.to(*to).value >= LEAST);
+    let is_found = |to: usize| {
+        let Mean { value, error } = row.to(to);
+        value - FOR_CERTAIN * error >= LEAST
+    };
+    let counts = |to: &usize| wanted(row.surface, *to) && (printed[*to] >= LEAST || is_found(*to));
     let judged = |(number, to): (usize, usize)| JudgedFactor {
         from: row.surface,
         to: factors.names[to].clone(),
