@@ -231,9 +231,14 @@ class Solving(Method, total=False):
     audit: float
         Seconds that about two threads take to check what is printed by path tracing; the number of rays follows from this and from
         counts of the scene [default: a twentieth of the run, 0.1 to 5].
+
+    transfers: str or a path
+        File of the transfers between the surfaces, which is made where there is none: runs on the same surfaces, with other
+        materials, temperatures or lamps, find none of them again; those of other options are added.
     """
 
     audit: float
+    transfers: str | os.PathLike[str]
 
 
 class Reading(TypedDict, total=False):
@@ -379,6 +384,10 @@ class Transfers(TypedDict, total=False):
     audit: float
         Seconds that about two threads take to check what is printed by path tracing; the number of rays follows from this and from
         counts of the scene [default: a twentieth of the run, 0.1 to 5].
+
+    transfers: str or a path
+        File of the transfers between the surfaces, which is made where there is none: runs on the same surfaces, with other
+        materials, temperatures or lamps, find none of them again; those of other options are added.
     """
 
     subdivide: int | Literal["auto"]
@@ -390,6 +399,7 @@ class Transfers(TypedDict, total=False):
     memory: int | str
     threads: int
     audit: float
+    transfers: str | os.PathLike[str]
 
 
 class HeatMethod(Transfers, total=False):

@@ -576,7 +576,7 @@ mod tests {
     /// A room with a box in it, all cut into tiles.
     fn tiled_room() -> Scene {
         let text = tiles(0.0, 1.0, 7, true) + &tiles(0.35, 0.3, 2, false);
-        radiosity_language::read(&radiosity_scene::Source::new("tiles", text)).expect("a room")
+        radiosity_language::read(&radiosity_scene::Source::new("tiles", &text)).expect("a room")
     }
 
     #[test]

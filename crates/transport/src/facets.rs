@@ -220,7 +220,8 @@ impl<'a> FacetTransport<'a> {
         for (column, whole) in look.pairs.mixed_columns().zip(&look.whole) {
             check_interrupt();
             let mut segments = self.segments(row, column);
-            segments.send(FEWEST);
+            // The first ones are among them: they do not agree.
+            segments.send(FEWEST.max(self.first));
             let needed = segments.needed(allowed[row].min(allowed[column]) / whole);
             segments.send(needed.min((MOST * self.first) as f64) as u64);
             found.segments += segments.sent();
