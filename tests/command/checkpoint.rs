@@ -247,7 +247,7 @@ fn transfers_serve_other_materials_and_temperatures() {
     assert_eq!(second, [first[0] + first[1], 0]);
     refused(
         folder,
-        &["heat", "oven", "--set", "width=2", "--transfers", "kept"],
+        &["view-factors", "room.toml", "--transfers", "kept"],
         &["kept: these are no transfers between the surfaces", "choose a file that is not there yet"],
     );
     refused(folder, &["heat", "oven", "--transfers", "lamp.ies"], &["lamp.ies: these are no transfers"]);

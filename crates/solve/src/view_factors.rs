@@ -583,7 +583,8 @@ mod tests {
     fn segments_err_by_what_they_tell() {
         let scene = tiled_room();
         let exact = by(Transport::Exact, None, &scene);
-        let sampled = by(Transport::Sampled, None, &scene);
+        let options = Options { transport: Transport::Sampled, threads: 2, ..Options::default() };
+        let sampled = ViewFactors::new(&scene, &options, &Work::alone()).expect("all have area");
         assert!(sampled.pairs.partly_hidden > 1000, "{:?}", sampled.pairs);
         let rows = found_and_told(&exact, &sampled);
         let within = rows.iter().filter(|[found, told]| *found <= 3.0 * told).count() as f64;

@@ -11,7 +11,7 @@ use radiosity_geom::{DVec3, Plane, touching};
 use radiosity_kernel::rules::contour;
 
 /// Distance of two facets over the sum of their radii from which points tell their exchange.
-const FAR: f64 = 4.5;
+const FAR: f64 = 4.0;
 
 /// Places along either side of a quadrilateral: those of Gauss.
 const GAUSS: [f64; 2] = [0.211_324_865_405_187_1, 0.788_675_134_594_812_9];
