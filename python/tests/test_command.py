@@ -225,3 +225,17 @@ def test_settings_and_options_of_scenes_are_those_of_the_command(command, tmp_pa
     radiosity.load("parallel-squares", set={"distance": 0.5}).solve().save(tmp_path / "b.json")
     theirs, ours = (json.loads((tmp_path / name).read_text()) for name in ("a.json", "b.json"))
     assert times_left_out(ours) == times_left_out(theirs)
+
+
+def test_transfers_in_a_file_serve_other_temperatures(tmp_path: Path):
+    oven, kept = radiosity.load("oven"), tmp_path / "oven.transfers"
+    oven.heat(transfers=kept)
+    size = kept.stat().st_size
+    [warm] = oven.heat_sweep("brick.emissivity", [0.5], transfers=kept)
+    assert kept.stat().st_size == size, "all transfers were there"
+    [alone] = oven.heat_sweep("brick.emissivity", [0.5])
+    np.testing.assert_array_equal(warm.power, alone.power)
+    with pytest.raises(radiosity.Error, match="no transfers between the surfaces"):
+        radiosity.view_factors(radiosity.load("empty-box"), transfers=kept)
+    with pytest.raises(FileNotFoundError):
+        oven.heat(transfers=tmp_path / "nowhere" / "kept")

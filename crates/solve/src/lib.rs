@@ -1,15 +1,15 @@
 //! Solving: elements and blocks → systems → solutions, and what is asked of them.
 //!
-//! In order: `tolerances`, `system` (one per band), `solution` (what it was solved to), `gather` (light at
-//! points), `checks` (of energy), `driver` (scene → solution, timed), `goal` (accuracy that is asked for),
-//! `solved` (a scene with its solution), `studies` (adaptation to a goal, convergence), `animation` (light
-//! that follows moving things), `view_factors` and `geometry` (what tells the
-//! transfers of a scene from others).
+//! In order: `tolerances`, `geometry` (what tells the transfers of a scene from others), `system` (one per band),
+//! `solution` (what it was solved to), `gather` (light at points), `checks` (of energy), `driver` (scene →
+//! solution, timed), `goal` (accuracy that is asked for), `solved` (a scene with its solution), `studies`
+//! (adaptation to a goal, convergence), `animation` (light that follows moving things) and `view_factors`.
 //!
 //! Imports `core`, `geom`, `solvers`, `work`, `scene`, `audit`, `visibility`, `elements`, `kernel`, `transport`,
 //! `light` and `published`.
 
 pub mod tolerances;
+mod geometry;
 pub mod system;
 pub mod solution;
 pub mod gather;
@@ -20,7 +20,6 @@ pub mod solved;
 pub mod studies;
 pub mod animation;
 pub mod view_factors;
-mod geometry;
 
 pub use driver::{
     ColumnChoice, Direct, Failure, Functional, LightMethod, Linking, MOST_RAYS, MemoryReduction, Model,
