@@ -21,6 +21,7 @@ mod sampled;
 mod turned;
 mod shapes;
 mod stress;
+mod tangent;
 mod transfers;
 mod unreached;
 mod view_factors;

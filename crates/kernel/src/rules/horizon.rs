@@ -15,7 +15,8 @@
 //! kinks of W are found by comparing rules on p.
 //!
 //! Of an inner element on a sphere, over a rectangle of longitude and latitude, q(x) is known without a search
-//! (`zone_part`).
+//! (`zone_part`). Of flat inner patches W is known in closed form, however near they are (`flat_part`): there the outer
+//! patch may touch them.
 //!
 //! κ vanishes linearly at a horizon. Where a horizon starts to leave q, what it cuts off is ∫₀ˢ t dt: W has a
 //! kink of about second order, max(0, s)², at which n points err like n⁻³. If all q lie in one plane they
@@ -59,6 +60,8 @@ mod line;
 mod front;
 mod part;
 mod zone_part;
+mod flat_part;
+mod swept_part;
 
 use std::sync::Arc;
 
@@ -66,17 +69,21 @@ use radiosity_elements::basis::AreaBasis;
 use radiosity_elements::measure::WeightedNode;
 use radiosity_elements::patch::{Node, Patch, plane_of};
 use radiosity_elements::rule::MOST_POINTS;
+use radiosity_geom::Plane;
 use radiosity_work::interruption::check_interrupt;
 
 use crate::contact::orientation::{Facing, facing};
 use crate::estimates::entry_norm::EntryNorm;
+use crate::irradiance::swept::Swept;
 use crate::rules::zone::Zone;
 use crate::tolerances::{ERROR_OF_FINER_RULE, MOST_TRIMS, SHARE_OF_CLIMB};
 use cell::{Cell, DIRECTIONS, Whole};
+use flat_part::FlatPart;
 pub use front::Front;
 use front::Nodes;
 use part::Part;
 use queue::Queue;
+use swept_part::SweptPart;
 pub use view::Ball;
 use view::View;
 use zone_part::ZonePart;
@@ -87,6 +94,9 @@ use zone_part::ZonePart;
 const RUNGS: [f64; 3] = [0.35, 0.55, 1.0];
 /// Fewest points of these rules: W, clipped, may need many points where the kernel needs few.
 const FEWEST: usize = 3;
+/// Fewest points of halves of cells over flat inner patches: W is smooth on cells that shrink geometrically toward a
+/// contact, and more points there gain more digits than more cells.
+const FEWEST_OF_FLAT: usize = 7;
 /// Points that each of these rules has more than the one before at the least: no rule is compared with
 /// itself.
 const STEP: usize = 2;
@@ -144,12 +154,18 @@ pub enum Inner<'a> {
     Patches(&'a [InnerPatch]),
     /// All of an element on a sphere, with the points of a sector along and across.
     Zone(&'a Zone<'a>, [usize; 2]),
+    /// Flat patches in one plane, however near, with the error allowed of the irradiance.
+    Flat(&'a [Patch], f64),
+    /// A part of a surface of revolution that carries a constant, however near, with its plane if it lies in one.
+    Swept(&'a Swept, Option<Plane>),
 }
 
 /// A part of the inner element under integration.
 enum InnerPart<'a> {
     Patch(Box<Part<'a>>),
     Zone(ZonePart<'a>),
+    Flat(Box<FlatPart<'a>>),
+    Swept(SweptPart<'a>),
 }
 
 impl InnerPart<'_> {
@@ -158,6 +174,8 @@ impl InnerPart<'_> {
         match self {
             Self::Patch(part) => facing(outer, part.patch(), false, 0.0) != Facing::Away,
             Self::Zone(part) => part.may_be_faced_by(&outer.cell_nodes(LOOKS)),
+            Self::Flat(part) => part.may_be_faced_by(outer),
+            Self::Swept(_) => true,
         }
     }
 
@@ -165,6 +183,8 @@ impl InnerPart<'_> {
         match self {
             Self::Patch(part) => part.may_be_seen_from(x),
             Self::Zone(part) => part.is_seen_from(&x.node),
+            Self::Flat(part) => part.may_be_seen_from(&x.node),
+            Self::Swept(part) => part.is_seen_from(&x.node),
         }
     }
 
@@ -173,6 +193,8 @@ impl InnerPart<'_> {
         match self {
             Self::Patch(part) => part.seen_from(x, out),
             Self::Zone(part) => part.seen_from(&x.node, out),
+            Self::Flat(part) => part.seen_from(&x.node, out),
+            Self::Swept(part) => part.seen_from(&x.node, out),
         }
     }
 }
@@ -190,15 +212,29 @@ pub fn integrate(
     let part = |InnerPatch { patch, points }: &InnerPatch| {
         InnerPart::Patch(Box::new(Part::new(patch.clone(), basis, Arc::clone(points), 0)))
     };
-    let (parts, patches): (Vec<InnerPart>, Vec<Patch>) = match inner {
+    let (parts, front): (Vec<InnerPart>, Option<Front>) = match inner {
         Inner::Patches(patches) => {
-            (patches.iter().map(part).collect(), patches.iter().map(|inner| inner.patch.clone()).collect())
+            let all: Vec<Patch> = patches.iter().map(|inner| inner.patch.clone()).collect();
+            (patches.iter().map(part).collect(), plane_of(&all).map(Front::of))
         }
-        Inner::Zone(zone, points) => (vec![InnerPart::Zone(ZonePart::new(zone, basis, *points))], Vec::new()),
+        Inner::Zone(zone, points) => (vec![InnerPart::Zone(ZonePart::new(zone, basis, *points))], None),
+        Inner::Flat(patches, eps) => {
+            let part = |patch: &Patch| InnerPart::Flat(Box::new(FlatPart::new(patch, basis, *eps)));
+            let front = plane_of(patches).map(Front::of).filter(|front| front.hides_points_of(outer.patch));
+            (patches.iter().map(part).collect(), front)
+        }
+        Inner::Swept(swept, plane) => {
+            let front = plane.map(Front::of).filter(|front| front.hides_points_of(outer.patch));
+            (vec![InnerPart::Swept(SweptPart::new(swept, basis.constant()))], front)
+        }
     };
     let mut job = Job {
         outer,
-        front: plane_of(&patches).map(Front::of),
+        fewest: match inner {
+            Inner::Flat(..) | Inner::Swept(..) => outer.points.map(|n| n.min(FEWEST_OF_FLAT)),
+            _ => [FEWEST; 2],
+        },
+        front,
         columns: basis.len(),
         inner: parts,
         norm,
@@ -223,6 +259,8 @@ pub fn integrate(
 
 struct Job<'a> {
     outer: &'a Side<'a>,
+    /// Fewest points of the halves of cells along and across.
+    fewest: [usize; 2],
     /// The plane of the inner patches, if they lie in one.
     front: Option<Front>,
     columns: usize,
@@ -346,7 +384,8 @@ impl Job<'_> {
 
     /// Computes the halves of a cell in one direction.
     fn look(&mut self, cell: &mut Cell, direction: usize) {
-        let halves = cell.halves(direction, FEWEST).map(|(patch, points)| self.whole(patch, points));
+        let halves =
+            cell.halves(direction, self.fewest[direction]).map(|(patch, points)| self.whole(patch, points));
         cell.look(direction, halves, self.norm);
         if cell.is_dark() {
             let missed = self.at_corners(cell.patch());

@@ -26,7 +26,7 @@ use radiosity_work::interruption::check_interrupt;
 use crate::moments::{Moments, Side};
 use crate::tolerances::SHARE_OF_NEAR;
 use plan::{Leaf, Planner, Rule, split_cost};
-use polar::Polar;
+pub(super) use polar::Polar;
 
 /// Samples of a split below which no plan is made, since planning takes as long: an estimate of its time.
 const CHEAP_SPLIT: f64 = 3e4;

@@ -185,12 +185,13 @@ impl<'a> Zone<'a> {
         &self.chart
     }
 
-    pub(super) fn is_hollow(&self) -> bool {
+    /// Whether its front is the inside of the sphere.
+    pub fn is_hollow(&self) -> bool {
         self.is_hollow
     }
 
     /// Whether the element is the whole sphere.
-    pub(super) fn is_whole(&self) -> bool {
+    pub fn is_whole(&self) -> bool {
         let whole = |part: f64, all: f64| part >= all * (1.0 - ROUNDING);
         whole(self.width, TAU) && self.latitudes.iter().all(|latitude| whole(latitude.abs(), FRAC_PI_2))
     }

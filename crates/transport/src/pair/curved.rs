@@ -71,6 +71,7 @@
 mod plane_clip;
 mod points;
 mod attempt;
+mod closed_form;
 mod constant;
 mod fan;
 mod same_element;
@@ -136,6 +137,10 @@ pub(crate) fn block(
         return job.finish();
     }
     job.ball = job.ball_between(blockers);
+    let emitters = match blockers.is_empty() {
+        true => job.by_closed_form([&receivers, &emitters], tolerance.least.max(job.smallest_scale())),
+        false => emitters,
+    };
     if blockers.is_empty() {
         let zone = Zone::of(emitter, tolerance.accuracy.eps);
         job.inner = zone.map(|zone| InnerZone { zone, sectors: emitters.clone() });

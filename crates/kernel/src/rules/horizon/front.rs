@@ -16,7 +16,7 @@
 use radiosity_elements::measure::WeightedNode;
 use radiosity_elements::patch::{Direction, Node, Patch};
 use radiosity_elements::rule::UnitRule;
-use radiosity_geom::Plane;
+use radiosity_geom::{COINCIDENT, Plane};
 
 use crate::rules::horizon::line::{Lines, seen};
 use crate::tolerances::{GRID_OF_HEIGHTS, LEVEL_OF_STEPS, MOST_QUARTERINGS, MOST_SPLITS};
@@ -61,6 +61,12 @@ impl Front {
     /// Whether a part of a patch lies behind the plane.
     pub fn cuts(&self, patch: &Patch) -> bool {
         Grid::of(patch, self).low() < 0.0
+    }
+
+    /// Whether points of a patch lie behind the plane by more than rounding.
+    pub(super) fn hides_points_of(&self, patch: &Patch) -> bool {
+        let level = -COINCIDENT * patch.longest().1;
+        Grid::of(patch, self).all().any(|height| height < level)
     }
 
     /// The rule with these points along and across on the part of a patch before the plane.

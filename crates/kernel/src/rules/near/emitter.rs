@@ -15,7 +15,7 @@
 use num_complex::Complex64;
 use radiosity_elements::basis::AreaBasis;
 use radiosity_elements::patch::{Direction, Patch};
-use radiosity_geom::{DVec2, DVec3};
+use radiosity_geom::DVec3;
 
 use crate::rules::near::polar::{Edge, Polar, edges};
 
@@ -48,16 +48,8 @@ impl<'a> Emitter<'a> {
 
     /// Whether the emitter's polynomials, extended to the feet of a cell's points, grow so little that
     /// rounding stays below ε.
-    pub(super) fn reached(&self, cell: &Patch, basis: &AreaBasis, eps: f64) -> bool {
-        let normal = self.patch.node(0.5, 0.5).normal;
-        let growth = |x: &DVec3| {
-            let foot = *x - normal * (*x - self.edges[0].start).dot(normal);
-            let place = basis.frame().locate(foot, DVec2::ZERO);
-            let a = place[0].abs().max(place[1].abs()).max(1.0);
-            (a + (a * a - 1.0).sqrt()).powi(basis.order() as i32)
-        };
-        // 1e-15 is the rounding error of values; no accuracy beyond 1e-12 is asked.
-        cell.polygon().iter().map(growth).fold(0.0, f64::max) * 1e-15 < eps.max(1e-12)
+    pub(super) fn reached(&self, cell: &Patch, eps: f64) -> bool {
+        cell.polygon().iter().all(|x| self.polar.reaches(*x, eps))
     }
 
     /// Singularities of the inner integral on lines along and across a cell's chart.

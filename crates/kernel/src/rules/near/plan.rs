@@ -103,7 +103,7 @@ impl<'a> Planner<'a> {
         }
         self.cells -= 1;
         let tensor = self.tensor(cell, emitter);
-        let reached = emitter.reached(cell, self.inner, self.eps);
+        let reached = emitter.reached(cell, self.eps);
         if tensor.is_none() && !reached {
             let ((direction, extent), (inner, reach)) = (cell.longest(), emitter.patch.longest());
             if extent >= reach {

@@ -23,6 +23,7 @@ use num_complex::Complex64;
 use radiosity_elements::basis::AreaBasis;
 use radiosity_elements::patch::{Node, Patch};
 use radiosity_elements::rule::MOST_POINTS;
+use radiosity_elements::space::Space;
 use radiosity_geom::{DVec2, DVec3};
 
 use crate::rules::near::radial::Radial;
@@ -44,7 +45,10 @@ pub(super) struct Edge {
 
 /// The edges of a flat patch, in order.
 pub(super) fn edges(patch: &Patch) -> Vec<Edge> {
-    let polygon = patch.polygon();
+    edges_of(&patch.polygon())
+}
+
+fn edges_of(polygon: &[DVec3]) -> Vec<Edge> {
     (0..polygon.len())
         .map(|k| {
             let side = polygon[(k + 1) % polygon.len()] - polygon[k];
@@ -63,10 +67,22 @@ struct BorderEdge {
     outward: DVec3,
 }
 
+/// The edges of a convex polygon in a plane with this normal.
+fn border(polygon: &[DVec3], normal: DVec3) -> Vec<BorderEdge> {
+    let middle = polygon.iter().sum::<DVec3>() / polygon.len() as f64;
+    let outward = |edge: &Edge| {
+        let side = edge.along.cross(normal);
+        if side.dot(edge.start - middle) < 0.0 { -side } else { side }
+    };
+    edges_of(polygon).into_iter().map(|edge| BorderEdge { edge, outward: outward(&edge) }).collect()
+}
+
 /// The polar rule over one flat emitter.
 #[derive(Debug)]
-pub(super) struct Polar<'a> {
+pub(in crate::rules) struct Polar<'a> {
     edges: Vec<BorderEdge>,
+    /// A point of its plane.
+    origin: DVec3,
     normal: DVec3,
     basis: &'a AreaBasis,
     /// Largest extent of the emitter relative to the element's frame.
@@ -78,50 +94,69 @@ pub(super) struct Polar<'a> {
 
 impl<'a> Polar<'a> {
     /// For the flat patch `emitter`, a part of an element with `basis`.
-    pub(super) fn new(emitter: &Patch, basis: &'a AreaBasis, eps: f64) -> Self {
+    pub(in crate::rules) fn new(emitter: &Patch, basis: &'a AreaBasis, eps: f64) -> Self {
         let normal = emitter.node(0.5, 0.5).normal;
         let polygon = emitter.polygon();
-        let middle = polygon.iter().sum::<DVec3>() / polygon.len() as f64;
-        let outward = |edge: &Edge| {
-            let side = edge.along.cross(normal);
-            if side.dot(edge.start - middle) < 0.0 { -side } else { side }
-        };
-        let border = |edge: Edge| BorderEdge { edge, outward: outward(&edge) };
-        let edges = edges(emitter).into_iter().map(border).collect();
         Self {
             fraction: fraction(emitter, basis),
-            edges,
+            edges: border(&polygon, normal),
+            origin: polygon[0],
             normal,
             basis,
-            radial: Radial::new(basis.order(), eps),
+            radial: Radial::new(basis.total_degree(), eps),
             samples: Samples::default(),
             column: vec![0.0; basis.len()],
         }
     }
 
+    /// As [`Polar::column`], of a convex part of the emitter.
+    pub(in crate::rules) fn column_of(&mut self, part: &[DVec3], x: &Node, eps: f64) -> (&[f64], u64) {
+        self.edges = border(part, self.normal);
+        self.column(x, eps)
+    }
+
     /// I_l(x) for all l, to about `eps` relative to the largest irradiance, and the number of samples.
     pub(super) fn column(&mut self, x: &Node, eps: f64) -> (&[f64], u64) {
         self.samples.clear();
-        let height = (x.position - self.edges[0].edge.start).dot(self.normal);
+        let height = self.height(x);
         if height > 0.0 {
             for k in 0..self.edges.len() {
                 let ray = Rays::new(x, height, self.normal, &self.edges[k]);
-                for (piece, n) in ray.pieces(self.fraction, self.basis.order() + 1, eps) {
+                for (piece, n) in ray.pieces(self.fraction, self.basis.total_degree() + 1, eps) {
                     self.edge(&ray, &piece, n);
                 }
             }
         }
         let count = self.samples.len() as u64;
-        self.samples.sum(self.basis.order(), &mut self.column);
+        match self.basis.is_product() && self.basis.space() == Space::Total {
+            true => self.samples.sum(self.basis.order(), &mut self.column),
+            false => self.samples.sum_of(|place, out| self.basis.raw(place, out), &mut self.column),
+        }
         (&self.column, count)
+    }
+
+    /// Height of a point over the plane of the emitter.
+    pub(in crate::rules) fn height(&self, x: &Node) -> f64 {
+        (x.position - self.origin).dot(self.normal)
+    }
+
+    /// Whether the emitter's polynomials, extended to the foot of a point, grow so little that rounding stays
+    /// below ε.
+    pub(in crate::rules) fn reaches(&self, x: DVec3, eps: f64) -> bool {
+        let foot = x - self.normal * (x - self.origin).dot(self.normal);
+        let place = self.basis.frame().locate(foot, DVec2::ZERO);
+        let a = place[0].abs().max(place[1].abs()).max(1.0);
+        let growth = (a + (a * a - 1.0).sqrt()).powi(self.basis.total_degree() as i32);
+        // 1e-15 is the rounding error of values; no accuracy beyond 1e-12 is asked.
+        growth * 1e-15 < eps.max(1e-12)
     }
 
     /// The number of samples that [`Polar::column`] takes.
     pub(super) fn count(&self, x: &Node, eps: f64) -> usize {
-        let height = (x.position - self.edges[0].edge.start).dot(self.normal);
+        let height = self.height(x);
         let points = |edge: &BorderEdge| {
             let ray = Rays::new(x, height, self.normal, edge);
-            ray.pieces(self.fraction, self.basis.order() + 1, eps).map(|(_, n)| n).sum::<usize>()
+            ray.pieces(self.fraction, self.basis.total_degree() + 1, eps).map(|(_, n)| n).sum::<usize>()
         };
         self.edges.iter().map(points).sum::<usize>() * self.radial.len()
     }
@@ -129,7 +164,7 @@ impl<'a> Polar<'a> {
     /// Where the line `start` + s `step` meets the plane inside the polygon, h = 0 and I_l has a term of
     /// order h² ln h; None if that stays below `eps` for all s ∈ [0, 1].
     pub(super) fn crossing(&self, start: DVec3, step: DVec3, eps: f64) -> Option<Complex64> {
-        let (height, slope) = ((start - self.edges[0].edge.start).dot(self.normal), step.dot(self.normal));
+        let (height, slope) = ((start - self.origin).dot(self.normal), step.dot(self.normal));
         let size = self.edges.iter().map(|border| border.edge.length).fold(0.0, f64::max);
         let most = height.abs().max((height + slope).abs()) / size;
         // A parallel line does not meet the plane; a term below a tenth of the error allowed counts as none.

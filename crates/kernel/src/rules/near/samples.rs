@@ -54,6 +54,16 @@ impl Samples {
         out.iter_mut().zip(&self.sums).for_each(|(sum, lanes)| *sum = lanes.iter().sum());
     }
 
+    /// Writes the sums for functions of places that are no products of total degree.
+    pub(super) fn sum_of(&self, functions: impl Fn([f64; 2], &mut [f64]), out: &mut [f64]) {
+        out.fill(0.0);
+        let mut values = vec![0.0; out.len()];
+        for ((a, b), value) in self.first.iter().zip(&self.second).zip(&self.values) {
+            functions([*a, *b], &mut values);
+            out.iter_mut().zip(&values).for_each(|(sum, own)| *sum += value * own);
+        }
+    }
+
     fn tiles<const P: usize>(&mut self, order: usize) {
         let (first, _) = self.first.as_chunks::<LANES>();
         let (second, _) = self.second.as_chunks::<LANES>();

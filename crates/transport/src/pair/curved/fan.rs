@@ -143,7 +143,7 @@ impl Job<'_> {
     }
 
     /// Adds moments that were cut at horizons.
-    fn take(&mut self, cut: Cut) {
+    pub(super) fn take(&mut self, cut: Cut) {
         self.budget.horizons += cut.samples;
         self.moments.add_raw(&cut.moments, cut.samples);
         self.error += cut.error;

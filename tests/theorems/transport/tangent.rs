@@ -1,0 +1,245 @@
+//! Curved surfaces that touch flat ones in a point or along a line, or come near them: closed forms, a quadrature of its
+//! own, and rows of convex bodies in rooms.
+
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
+use std::sync::Arc;
+
+use proptest::prelude::*;
+use radiosity::ViewFactors;
+use radiosity::geom::shapes::{Cone, FULL_TURN};
+use radiosity::geom::{DQuat, DVec3, Surface};
+use radiosity::kernel::Accuracy;
+use radiosity::scene::Scene;
+use radiosity::visibility::{Shadows, Visibility};
+use radiosity_test_support::scenes::grey;
+use radiosity_test_support::shapes::{ball, faces, plate, tube};
+use radiosity_test_support::solved::{blocks_of, elements_of, factors_of};
+
+type Shape = Arc<dyn Surface>;
+
+fn scene(shapes: impl IntoIterator<Item = Shape>) -> Scene {
+    let (mut builder, grey) = grey();
+    for (k, shape) in shapes.into_iter().enumerate() {
+        builder.surface(format!("s{k}"), shape, &grey);
+    }
+    builder.build().expect("the scene is valid")
+}
+
+/// The rectangle of these ranges in the plane z = 0, its front upward.
+fn floor([x0, x1]: [f64; 2], [y0, y1]: [f64; 2]) -> Shape {
+    Arc::new(plate(DVec3::new(x0, y0, 0.0), (x1 - x0) * DVec3::X, (y1 - y0) * DVec3::Y))
+}
+
+/// F of the second of two surfaces to the first, and the error that is told of it.
+fn factor(found: &ViewFactors) -> [f64; 2] {
+    [found.factor(1, 0), found.errors[1]]
+}
+
+/// Solid angle of a rectangle in the plane z = 0 from the height h over the origin.
+fn solid_angle(x: [f64; 2], y: [f64; 2], h: f64) -> f64 {
+    let quarter = |a: f64, b: f64| (a * b / (h * (a * a + b * b + h * h).sqrt())).atan();
+    quarter(x[1], y[1]) - quarter(x[0], y[1]) - quarter(x[1], y[0]) + quarter(x[0], y[0])
+}
+
+/// Asks for the factor from the second surface to the first, whose value is known.
+fn check(name: &str, scene: &Scene, right: f64) {
+    for eps in [1e-3, 1e-6, 1e-8] {
+        let found = factors_of(scene, Shadows::Auto, eps, eps);
+        let [value, told] = factor(&found);
+        let off = (value - right).abs();
+        println!("{name} {eps:.0e}: {off:.1e} off, {told:.1e} told, {:.2e} samples", found.samples as f64);
+        assert_eq!((found.pairs.by_rays, found.rays), (0, 0), "{name} {eps:.0e}");
+        assert!(off <= told.max(1e-14) && off <= eps * right, "{name} {eps:.0e}: {off:.1e}, {told:.1e}");
+        assert!(told <= eps * right, "{name} {eps:.0e}: {told:.1e}");
+    }
+}
+
+/// A ball before a plane sends to a polygon in it as much as a point in its centre does: Ω/(4π).
+#[test]
+fn balls_on_floors_have_the_factor_of_their_centres() {
+    let all = [-2.0, 2.0];
+    for (name, x, y, gap) in [
+        ("amid", all, all, 0.0),
+        ("off the middle", [-0.3, 1.7], [-1.2, 0.7], 0.0),
+        ("at a corner", [0.0, 2.0], [0.0, 2.0], 0.0),
+        ("on a side", [-1.0, 1.0], [0.0, 2.0], 0.0),
+        ("beside", [0.1, 2.0], all, 0.0),
+        ("a little over it", all, all, 1e-3),
+        ("a millionth over it", all, all, 1e-6),
+        ("near the corner", [0.0, 2.0], [0.0, 2.0], 1e-4),
+    ] {
+        let height = 1.0 + gap;
+        let ball: Shape = Arc::new(ball(height * DVec3::Z, 1.0));
+        check(name, &scene([floor(x, y), ball]), solid_angle(x, y, height) / (4.0 * PI));
+    }
+}
+
+/// Irradiance from a rectangle of exitance 1 in z = 0 at the height h over the origin, on a face with the normal
+/// (sin φ, 0, −cos φ), all of it above the horizon: sums over corners (Howell, C-11 and C-12 of an element).
+fn irradiance([x0, x1]: [f64; 2], [y0, y1]: [f64; 2], h: f64, angle: f64) -> f64 {
+    let level = |a: f64, b: f64| {
+        let half = |a: f64, b: f64| a / a.hypot(h) * (b / a.hypot(h)).atan();
+        (half(a, b) + half(b, a)) / TAU
+    };
+    let upright = |a: f64, b: f64| -h / (TAU * a.hypot(h)) * (b / a.hypot(h)).atan();
+    let of =
+        |corner: &dyn Fn(f64, f64) -> f64| corner(x1, y1) - corner(x0, y1) - corner(x1, y0) + corner(x0, y0);
+    angle.cos() * of(&level) + angle.sin() * of(&upright)
+}
+
+/// Places and weights of the composite Gauss rule on a range, which shrinks toward its first end.
+fn graded(from: f64, to: f64) -> Vec<[f64; 2]> {
+    let gauss = [
+        [0.033_765_242_898_424, 0.085_662_246_189_585],
+        [0.169_395_306_766_868, 0.180_380_786_524_069],
+        [0.380_690_406_958_402, 0.233_956_967_286_346],
+        [0.619_309_593_041_598, 0.233_956_967_286_346],
+        [0.830_604_693_233_132, 0.180_380_786_524_069],
+        [0.966_234_757_101_576, 0.085_662_246_189_585],
+    ];
+    let part = |k: i32| -> Vec<[f64; 2]> {
+        let [low, high] = [0.5f64.powi(k + 1), 0.5f64.powi(k)];
+        let steps = 4;
+        let step = (high - low) / f64::from(steps);
+        let starts = (0..steps).map(|j| low + step * f64::from(j));
+        starts.flat_map(|start| gauss.map(|[t, w]| [start + step * t, step * w])).collect()
+    };
+    (0..40).flat_map(part).map(|[t, w]| [from + t * (to - from), w * (to - from).abs()]).collect()
+}
+
+/// F of a can of the radius 1 and the length 2, which lies along y on the rectangle, to that.
+fn of_can(x: [f64; 2], y: [f64; 2], height: f64) -> f64 {
+    let mut sum = 0.0;
+    // Both sides of the line of contact. Only what lies beyond the horizon, at sin φ x = (1 − cos φ) …, is seen.
+    for side in [1.0, -1.0] {
+        let own = if side > 0.0 { x } else { [-x[1], -x[0]] };
+        let horizon = |angle: f64| angle.sin() + (height - angle.cos()) * angle.cos() / -angle.sin();
+        let mut breaks = vec![0.0, FRAC_PI_2, PI];
+        // Where the horizon passes an end of the rectangle.
+        for end in own {
+            let mut last = 1e-9;
+            for place in (0..900).map(|k| PI * 0.975f64.powi(899 - k)) {
+                let off = |angle: f64| horizon(angle) - end;
+                if off(last) * off(place) < 0.0 {
+                    let (mut low, mut high) = (last, place);
+                    for _ in 0..80 {
+                        let middle = 0.5 * (low + high);
+                        if off(low) * off(middle) <= 0.0 { high = middle } else { low = middle }
+                    }
+                    breaks.push(low);
+                }
+                last = place;
+            }
+        }
+        breaks.sort_by(f64::total_cmp);
+        for ends in breaks.windows(2) {
+            let middle = 0.5 * (ends[0] + ends[1]);
+            for half in [[ends[0], middle], [ends[1], middle]] {
+                for [angle, weight] in graded(half[0], half[1]) {
+                    let (h, at) = (height - angle.cos(), angle.sin());
+                    let from = own[0].max(horizon(angle));
+                    if from >= own[1] {
+                        continue;
+                    }
+                    let line: f64 = [[-1.0, 0.0], [1.0, 0.0]]
+                        .iter()
+                        .flat_map(|half| graded(half[0], half[1]))
+                        .map(|[v, w]| {
+                            w * irradiance([from - at, own[1] - at], [y[0] - v, y[1] - v], h, angle)
+                        })
+                        .sum();
+                    sum += weight * line;
+                }
+            }
+        }
+    }
+    sum / (2.0 * TAU)
+}
+
+/// A can in the middle of a floor, off it, along its edge, and longer than it.
+#[test]
+fn cans_on_floors_have_the_factor_of_a_quadrature() {
+    for (name, x, y, gap) in [
+        ("amid", [-2.0, 2.0], [-3.0, 3.0], 0.0),
+        ("along the edge", [0.0, 2.0], [-3.0, 3.0], 0.0),
+        ("flush", [-2.0, 1.0], [-1.0, 1.0], 0.0),
+        ("longer", [-2.0, 1.0], [-0.7, 0.5], 0.0),
+        ("over it", [-2.0, 2.0], [-1.5, 1.5], 1e-3),
+    ] {
+        let can: Shape = Arc::new(tube(DVec3::new(0.0, -1.0, 1.0 + gap), 2.0 * DVec3::Y, 1.0));
+        check(name, &scene([floor(x, y), can]), of_can(x, y, 1.0 + gap));
+    }
+}
+
+/// The six faces of the cube of the side 2 about the origin, fronts inside.
+fn room() -> impl Iterator<Item = Shape> {
+    let edges = [2.0 * DVec3::X, 2.0 * DVec3::Y, 2.0 * DVec3::Z];
+    faces(-DVec3::ONE, edges).into_iter().map(|face| Arc::new(face) as Shape)
+}
+
+/// The lowest height of a cone (a cylinder, of equal radii) under its base's centre.
+fn depth(axis: DVec3, radii: [f64; 2]) -> f64 {
+    let level = axis.normalize().z;
+    let reach = (1.0 - level * level).max(0.0).sqrt();
+    (reach * radii[0]).max(reach * radii[1] - axis.z)
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(12))]
+    /// All light of the outside of a convex body in a room meets the room. The body touches the floor, on its side
+    /// or on an edge or a tip.
+    #[test]
+    fn convex_bodies_on_floors_send_all_to_the_room(
+        turn in 0.0..TAU, tilt in 0.0..3.1f64, radii in (0.05..0.3f64, 0.0..0.3f64), length in 0.1..0.6f64, kind in 0..3u8,
+    ) {
+        let radii = match kind {
+            0 => [radii.0; 2],
+            1 => [radii.0, 0.0],
+            _ => [radii.0, radii.1],
+        };
+        let axis = length * (DQuat::from_rotation_z(turn) * DQuat::from_rotation_y(tilt) * DVec3::Z);
+        let base = DVec3::new(0.1, -0.2, -1.0 + depth(axis, radii));
+        let body: Shape = match kind {
+            0 => Arc::new(tube(base, axis, radii[0])),
+            _ => Arc::new(Cone::new(base, axis, radii[0], radii[1], FULL_TURN).expect("a cone")),
+        };
+        for eps in [1e-4, 1e-6] {
+            let found = factors_of(&scene(room().chain([Arc::clone(&body)])), Shadows::Auto, eps, eps);
+            let sum: f64 = found.row(6).iter().sum();
+            prop_assert!((sum - 1.0).abs() <= eps, "{eps:.0e}: {sum} {:?}", found.pairs);
+            // A_i F_ij = A_j F_ji.
+            for face in 0..6 {
+                let [there, back] =
+                    [[6, face], [face, 6]].map(|[i, j]| found.areas[i] * found.factor(i, j));
+                prop_assert!((there - back).abs() <= 1e-15);
+            }
+        }
+    }
+}
+
+/// A ball, a can and a cone that touch the floor, of elements of order 2: constants go to constants in every
+/// function of theirs.
+#[test]
+fn elements_of_a_higher_order_send_all_to_the_room() {
+    let tilted = Cone::new(DVec3::new(0.2, 0.1, -1.0), DVec3::new(0.2, 0.3, 0.5), 0.0, 0.3, FULL_TURN);
+    let bodies: [(&str, Shape); 3] = [
+        ("ball", Arc::new(ball(DVec3::new(0.2, 0.1, -0.6), 0.4))),
+        ("can", Arc::new(tube(DVec3::new(-0.4, 0.1, -0.7), DVec3::new(0.5, 0.2, 0.0), 0.3))),
+        ("cone", Arc::new(tilted.expect("a cone"))),
+    ];
+    for (name, body) in bodies {
+        let scene = scene(room().chain([body]));
+        let visibility = Visibility::new(&scene, Shadows::Auto, 1e-6);
+        let elements = elements_of(&scene, 2, 1);
+        let blocks = blocks_of(&elements, &visibility, Accuracy { eps: 1e-6, shadow_eps: 1e-3 });
+        let constant = elements.constant();
+        let found = blocks.apply(&constant);
+        let last = elements.list().iter().zip(elements.starts()).last().map(|(_, start)| start);
+        let start = last.expect("there are elements");
+        for k in start..constant.len() {
+            let off = (found[k] - constant[k]).abs() / constant[start];
+            println!("{name} {k}: {off:.1e}");
+            assert!(off < 3e-6, "{name} {k}: {} {}", found[k], constant[k]);
+        }
+    }
+}
