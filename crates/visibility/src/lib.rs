@@ -150,8 +150,8 @@ impl Visibility {
         let found = self.standing_between(a, b, surfaces);
         // What a surface encloses is looked for once it reaches between the two.
         let holds_both = |index: &usize| surfaces.iter().all(|surface| self.encloses(*index, *surface));
-        // What sees the outside of a convex solid sees it past nothing that lies within; where it passes through,
-        // rays find the corners that stick out.
+        // What sees the outside of a convex solid sees it past nothing that lies within; where it passes
+        // through, rays find the corners that stick out.
         let is_within = |index: &usize| {
             let [first, second] = surfaces;
             [[first, second], [second, first]].into_iter().any(|[own, other]| {
@@ -164,6 +164,19 @@ impl Visibility {
         let may_hide = |index: &usize| !holds_both(index) && !is_within(index);
         let reaching = self.reaching_between(&found, |index| self.own_hull(index), [a, b]);
         reaching.filter(may_hide).take(most).collect()
+    }
+
+    /// Whether a surface certainly hides nothing of two others from each other: it lies in a convex solid
+    /// that one of them is the outside of, or behind the plane that one lies in, or they are one outside,
+    /// which sees nothing of itself.
+    pub fn hides_nothing(&self, blocker: usize, surfaces: [usize; 2]) -> bool {
+        surfaces.iter().any(|surface| {
+            let own = &self.obstacles[*surface];
+            let is_outside = own.bend == Bend::Outward && own.is_bent();
+            let is_behind = |plane: Plane| self.obstacles[blocker].lies_behind(plane);
+            is_outside && (surfaces[0] == surfaces[1] || self.encloses(*surface, blocker))
+                || own.plane().is_some_and(is_behind)
+        })
     }
 
     /// As [`Visibility::candidates`] between a part of `surface`, in the hull `a`, and points that lie on no
@@ -328,8 +341,8 @@ impl Visibility {
         })
     }
 
-    /// The surfaces whose boxes `may_hold` something, and some others, as of [`Visibility::reaching_into`]. What a box
-    /// fails has to be failed by every box inside it.
+    /// The surfaces whose boxes `may_hold` something, and some others, as of [`Visibility::reaching_into`].
+    /// What a box fails has to be failed by every box inside it.
     fn reaching(&self, open: bool, may_hold: impl Fn(&Aabb) -> bool) -> Vec<usize> {
         let mut found = Vec::new();
         match (self.shadows, open) {

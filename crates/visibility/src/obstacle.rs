@@ -2,7 +2,7 @@
 
 use std::sync::{Arc, OnceLock};
 
-use radiosity_geom::{COINCIDENT, ConvexSolid, DVec3, Jet, Plane, Rect, Surface};
+use radiosity_geom::{COINCIDENT, ConvexSolid, DVec3, Jet, Meridian, Plane, ROUNDING, Rect, Surface};
 
 use crate::bounding_ball::Ball;
 use crate::silhouette_mesh::SilhouetteMesh;
@@ -124,6 +124,31 @@ impl Obstacle {
     /// Distance by which a point may lie outside its solid (length).
     fn touching(&self) -> f64 {
         COINCIDENT * self.ball.radius()
+    }
+
+    /// The plane in which it lies, facing one way.
+    pub(super) fn plane(&self) -> Option<Plane> {
+        let Jet { position: point, normal, .. } = self.shape.jet(0.0, 0.0);
+        let plane = Plane { point, normal };
+        let is_level = |look: &Plane| {
+            look.normal.distance(normal) <= ROUNDING
+                && plane.height(look.point).abs() <= ROUNDING * self.ball.radius()
+        };
+        self.looks.iter().all(is_level).then_some(plane)
+    }
+
+    /// Whether no point of it lies before a plane.
+    pub(super) fn lies_behind(&self, plane: Plane) -> bool {
+        let highest = match self.shape.meridian() {
+            Some(Meridian { origin, axis, ends, .. }) => {
+                let along = plane.normal.dot(axis);
+                let across = plane.normal.cross(axis).length();
+                plane.height(origin)
+                    + ends.iter().map(|end| end.y * along + end.x * across).fold(f64::MIN, f64::max)
+            }
+            None => self.hull.iter().map(|corner| plane.height(*corner)).fold(f64::MIN, f64::max),
+        };
+        highest <= self.touching()
     }
 
     /// Whether it is one flat convex piece.

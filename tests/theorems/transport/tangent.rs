@@ -1,19 +1,21 @@
-//! Curved surfaces that touch flat ones in a point or along a line, or come near them: closed forms, a quadrature of its
-//! own, and rows of convex bodies in rooms.
+//! Curved surfaces that touch flat ones in a point or along a line, or come near them: closed forms, a
+//! quadrature of its own, and rows of convex bodies in rooms.
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use std::sync::Arc;
 
 use proptest::prelude::*;
-use radiosity::ViewFactors;
-use radiosity::geom::shapes::{Cone, FULL_TURN};
-use radiosity::geom::{DQuat, DVec3, Surface};
+use radiosity::geom::shapes::{Cone, FULL_TURN, Triangle};
+use radiosity::geom::{DQuat, DVec3, Rect, Surface};
 use radiosity::kernel::Accuracy;
+use radiosity::kernel::irradiance::swept::Swept;
 use radiosity::scene::Scene;
+use radiosity::transport::{Demand, assemble};
 use radiosity::visibility::{Shadows, Visibility};
+use radiosity::{ViewFactors, Work};
 use radiosity_test_support::scenes::grey;
-use radiosity_test_support::shapes::{ball, faces, plate, tube};
-use radiosity_test_support::solved::{blocks_of, elements_of, factors_of};
+use radiosity_test_support::shapes::{ball, disk, faces, plate, tube};
+use radiosity_test_support::solved::{elements_of, factors_of};
 
 type Shape = Arc<dyn Surface>;
 
@@ -49,7 +51,10 @@ fn check(name: &str, scene: &Scene, right: f64) {
         let off = (value - right).abs();
         println!("{name} {eps:.0e}: {off:.1e} off, {told:.1e} told, {:.2e} samples", found.samples as f64);
         assert_eq!((found.pairs.by_rays, found.rays), (0, 0), "{name} {eps:.0e}");
-        assert!(off <= told.max(1e-14) && off <= eps * right, "{name} {eps:.0e}: {off:.1e}, {told:.1e}");
+        assert!(
+            off <= 2.5 * told.max(1e-13) && off <= eps * right,
+            "{name} {eps:.0e}: {off:.1e}, {told:.1e}"
+        );
         assert!(told <= eps * right, "{name} {eps:.0e}: {told:.1e}");
     }
 }
@@ -74,8 +79,9 @@ fn balls_on_floors_have_the_factor_of_their_centres() {
     }
 }
 
-/// Irradiance from a rectangle of exitance 1 in z = 0 at the height h over the origin, on a face with the normal
-/// (sin φ, 0, −cos φ), all of it above the horizon: sums over corners (Howell, C-11 and C-12 of an element).
+/// Irradiance from a rectangle of exitance 1 in z = 0 at the height h over the origin, on a face with the
+/// normal (sin φ, 0, −cos φ), all of it above the horizon: sums over corners (Howell, C-11 and C-12 of an
+/// element).
 fn irradiance([x0, x1]: [f64; 2], [y0, y1]: [f64; 2], h: f64, angle: f64) -> f64 {
     let level = |a: f64, b: f64| {
         let half = |a: f64, b: f64| a / a.hypot(h) * (b / a.hypot(h)).atan();
@@ -110,10 +116,19 @@ fn graded(from: f64, to: f64) -> Vec<[f64; 2]> {
 /// F of a can of the radius 1 and the length 2, which lies along y on the rectangle, to that.
 fn of_can(x: [f64; 2], y: [f64; 2], height: f64) -> f64 {
     let mut sum = 0.0;
-    // Both sides of the line of contact. Only what lies beyond the horizon, at sin φ x = (1 − cos φ) …, is seen.
+    // Parts of the can along its axis, which shrink toward the sides of the rectangle and the ends of the can.
+    let ends = [-1.0, y[0].clamp(-1.0, 1.0), y[1].clamp(-1.0, 1.0), 1.0];
+    let halves: Vec<[f64; 2]> = ends
+        .windows(2)
+        .filter(|part| part[0] < part[1])
+        .flat_map(|part| [0, 1].map(|end| [part[end], 0.5 * (part[0] + part[1])]))
+        .collect();
+    // Both sides of the line of contact. Only what lies beyond the horizon, at sin φ x = (1 − cos φ) …, is
+    // seen.
     for side in [1.0, -1.0] {
         let own = if side > 0.0 { x } else { [-x[1], -x[0]] };
-        let horizon = |angle: f64| angle.sin() + (height - angle.cos()) * angle.cos() / -angle.sin();
+        let over = |angle: f64| height - 1.0 + 2.0 * (0.5 * angle).sin().powi(2);
+        let horizon = |angle: f64| angle.sin() - over(angle) * angle.cos() / angle.sin();
         let mut breaks = vec![0.0, FRAC_PI_2, PI];
         // Where the horizon passes an end of the rectangle.
         for end in own {
@@ -136,12 +151,12 @@ fn of_can(x: [f64; 2], y: [f64; 2], height: f64) -> f64 {
             let middle = 0.5 * (ends[0] + ends[1]);
             for half in [[ends[0], middle], [ends[1], middle]] {
                 for [angle, weight] in graded(half[0], half[1]) {
-                    let (h, at) = (height - angle.cos(), angle.sin());
+                    let (h, at) = (over(angle), angle.sin());
                     let from = own[0].max(horizon(angle));
                     if from >= own[1] {
                         continue;
                     }
-                    let line: f64 = [[-1.0, 0.0], [1.0, 0.0]]
+                    let line: f64 = halves
                         .iter()
                         .flat_map(|half| graded(half[0], half[1]))
                         .map(|[v, w]| {
@@ -186,8 +201,8 @@ fn depth(axis: DVec3, radii: [f64; 2]) -> f64 {
 
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(12))]
-    /// All light of the outside of a convex body in a room meets the room. The body touches the floor, on its side
-    /// or on an edge or a tip.
+    /// All light of the outside of a convex body in a room meets the room. The body touches the floor, on its
+    /// side or on an edge or a tip.
     #[test]
     fn convex_bodies_on_floors_send_all_to_the_room(
         turn in 0.0..TAU, tilt in 0.0..3.1f64, radii in (0.05..0.3f64, 0.0..0.3f64), length in 0.1..0.6f64, kind in 0..3u8,
@@ -203,16 +218,10 @@ proptest! {
             0 => Arc::new(tube(base, axis, radii[0])),
             _ => Arc::new(Cone::new(base, axis, radii[0], radii[1], FULL_TURN).expect("a cone")),
         };
+        let scene = scene(room().chain([body]));
         for eps in [1e-4, 1e-6] {
-            let found = factors_of(&scene(room().chain([Arc::clone(&body)])), Shadows::Auto, eps, eps);
-            let sum: f64 = found.row(6).iter().sum();
-            prop_assert!((sum - 1.0).abs() <= eps, "{eps:.0e}: {sum} {:?}", found.pairs);
-            // A_i F_ij = A_j F_ji.
-            for face in 0..6 {
-                let [there, back] =
-                    [[6, face], [face, 6]].map(|[i, j]| found.areas[i] * found.factor(i, j));
-                prop_assert!((there - back).abs() <= 1e-15);
-            }
+            let [off, told] = of_last(&scene, 0, eps);
+            prop_assert!(off <= eps && off <= 4.0 * told, "{eps:.0e}: {off:.1e} {told:.1e}");
         }
     }
 }
@@ -228,18 +237,115 @@ fn elements_of_a_higher_order_send_all_to_the_room() {
         ("cone", Arc::new(tilted.expect("a cone"))),
     ];
     for (name, body) in bodies {
-        let scene = scene(room().chain([body]));
-        let visibility = Visibility::new(&scene, Shadows::Auto, 1e-6);
-        let elements = elements_of(&scene, 2, 1);
-        let blocks = blocks_of(&elements, &visibility, Accuracy { eps: 1e-6, shadow_eps: 1e-3 });
-        let constant = elements.constant();
-        let found = blocks.apply(&constant);
-        let last = elements.list().iter().zip(elements.starts()).last().map(|(_, start)| start);
-        let start = last.expect("there are elements");
-        for k in start..constant.len() {
-            let off = (found[k] - constant[k]).abs() / constant[start];
-            println!("{name} {k}: {off:.1e}");
-            assert!(off < 3e-6, "{name} {k}: {} {}", found[k], constant[k]);
-        }
+        let [off, told] = of_last(&scene(room().chain([body])), 2, 1e-6);
+        println!("{name}: {off:.1e} {told:.1e}");
+        assert!(off < 3e-6, "{name}: {off:.1e}");
+    }
+}
+
+/// The ball in a regular tetrahedron touches all its faces, whose polynomials are no products.
+#[test]
+fn a_ball_in_a_tetrahedron_touches_four_triangles() {
+    let corners = [[1., 1., 1.], [1., -1., -1.], [-1., 1., -1.], [-1., -1., 1.]]
+        .map(|at| 3.0f64.sqrt() * DVec3::from_array(at));
+    let faces = [[1, 2, 3], [0, 3, 2], [0, 1, 3], [0, 2, 1]].map(|face| {
+        let [a, b, c] = face.map(|k| corners[k]);
+        let inward = (b - a).cross(c - a).dot(a) < 0.0;
+        let [b, c] = if inward { [b, c] } else { [c, b] };
+        Arc::new(Triangle::new([a, b, c]).expect("a triangle")) as Shape
+    });
+    let body: Shape = Arc::new(ball(DVec3::ZERO, 1.0));
+    let scene = scene(faces.into_iter().chain([body]));
+    let [off, told] = of_last(&scene, 2, 1e-6);
+    println!("tetrahedron: {off:.1e} {told:.1e}");
+    assert!(off < 3e-6, "{off:.1e}");
+}
+
+/// Of the last surface of a closed scene, an outside that is one element: how much the coefficients of the
+/// constant change over the first of them, and the largest error that is told of a block, relative to its
+/// row.
+fn of_last(scene: &Scene, order: usize, eps: f64) -> [f64; 2] {
+    let visibility = Visibility::new(scene, Shadows::Auto, eps);
+    let elements = elements_of(scene, order, 1);
+    let last = elements.list().len() - 1;
+    let wanted = |a: usize, b: usize| a != b && a.max(b) == last;
+    let demand = Demand::all(&elements, &visibility, Accuracy { eps, shadow_eps: eps }).of(&wanted);
+    let blocks = assemble(demand, None, &Work::alone());
+    assert_eq!(blocks.statistics.pairs.by_rays, 0, "{:?}", blocks.statistics.pairs);
+    let (constant, start) = (elements.constant(), elements.starts()[last]);
+    let found = blocks.apply(&constant);
+    let off = (start..constant.len()).map(|k| (found[k] - constant[k]).abs()).fold(0.0, f64::max);
+    // Rules whose points follow from the accuracy miss a tenth of it.
+    let told = blocks.statistics.row_errors[last];
+    [off / constant[start], told.squares.sqrt().max(0.1 * told.asked) / elements.list()[last].area]
+}
+
+/// A floor sees as much of a thing on it as that sees of the floor: sums over the floor of the closed form of
+/// the outline, over the thing of that of the floor.
+#[test]
+fn floors_see_what_is_seen_of_them() {
+    let can = tube(DVec3::new(-0.3, -1.0, 0.6), DVec3::new(0.8, 1.6, 0.0), 0.6);
+    let cone =
+        Cone::new(DVec3::new(0.2, 0.1, 0.0), DVec3::new(0.2, 0.3, 1.5), 0.0, 0.4, FULL_TURN).expect("a cone");
+    let stump = Cone::new(DVec3::ZERO, 0.7 * DVec3::Z, 0.9, 0.2, FULL_TURN).expect("a cone");
+    let bodies: [(&str, Shape); 3] =
+        [("can", Arc::new(can)), ("cone", Arc::new(cone)), ("stump", Arc::new(stump))];
+    for (name, body) in bodies {
+        let swept = Swept::of(&*body, &Rect::FULL).expect("it goes round");
+        const STEPS: usize = 500;
+        let place = |k: usize| 4.0 * ((k as f64 + 0.5) / STEPS as f64) - 2.0;
+        let seen = |k: usize| {
+            let y = DVec3::new(place(k / STEPS), place(k % STEPS), 0.0);
+            // The stump covers the floor below.
+            if name == "stump" && y.length() < 0.9 { 0.0 } else { swept.irradiance(y, DVec3::Z) }
+        };
+        let exchange = 16.0 / (STEPS * STEPS) as f64 * (0..STEPS * STEPS).map(seen).sum::<f64>();
+        let found = factors_of(&scene([floor([-2.0, 2.0], [-2.0, 2.0]), body]), Shadows::Auto, 1e-6, 1e-6);
+        let [there, back] = [[0, 1], [1, 0]].map(|[i, j]| found.areas[i] * found.factor(i, j));
+        println!("{name}: {there} {back} {exchange}");
+        assert!(
+            (there - back).abs() < 1e-14 && (there - exchange).abs() < 3e-3 * exchange,
+            "{name}: {there} {exchange}"
+        );
+        assert_eq!(found.pairs.by_rays, 0, "{name}");
+    }
+}
+
+/// Pipes that touch along their length L exchange ½ − 1/π of what they send (Hottel's strings) less c/L for
+/// their ends, and terms of the order L⁻³.
+#[test]
+fn pipes_side_by_side_have_the_factor_of_strings() {
+    for eps in [1e-4, 1e-6] {
+        let of_length = |length: f64| {
+            let pipe = |x: f64| Arc::new(tube(x * DVec3::X, length * DVec3::Z, 1.0)) as Shape;
+            let found = factors_of(&scene([pipe(-1.0), pipe(1.0)]), Shadows::Auto, eps, eps);
+            assert_eq!(found.pairs.by_rays, 0);
+            assert!(found.errors[1] <= eps, "{eps:.0e}: {:.1e}", found.errors[1]);
+            found.factor(1, 0)
+        };
+        let found = 2.0 * of_length(400.0) - of_length(200.0);
+        let right = 0.5 - 1.0 / PI;
+        println!("{eps:.0e}: {:.1e}", found - right);
+        assert!((found - right).abs() < 2.0 * eps * right, "{eps:.0e}: {found}");
+    }
+}
+
+/// A can with lids that lies on a floor or stands on it: nothing of it hides what is seen from its front.
+#[test]
+fn lids_hide_nothing_of_a_can() {
+    for (name, base, axis) in
+        [("lying", DVec3::new(0.0, -1.0, 1.0), 2.0 * DVec3::Y), ("standing", DVec3::ZERO, 2.0 * DVec3::Z)]
+    {
+        let along = axis.normalize();
+        let can: Shape = Arc::new(tube(base, axis, 1.0));
+        let lid = |center: DVec3, normal: DVec3| Arc::new(disk(center, normal, 1.0)) as Shape;
+        let lids =
+            [lid(base, -along), lid(base + axis, along)].into_iter().skip(usize::from(name == "standing"));
+        let floor = || floor([-2.0, 2.0], [-2.0, 2.0]);
+        let alone = factors_of(&scene([floor(), Arc::clone(&can)]), Shadows::Auto, 1e-6, 1e-6);
+        let closed = factors_of(&scene([floor(), can].into_iter().chain(lids)), Shadows::Auto, 1e-6, 1e-6);
+        let off = (alone.factor(1, 0) - closed.factor(1, 0)).abs();
+        println!("{name}: {off:.1e}, {:.1e} told, {:?}", closed.errors[1], closed.pairs);
+        assert!(off < 1e-6 * alone.factor(1, 0) && closed.errors[1] < 1e-6, "{name}: {off:.1e}");
     }
 }

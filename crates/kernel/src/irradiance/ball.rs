@@ -17,14 +17,15 @@
 
 use std::f64::consts::FRAC_1_PI;
 
-use radiosity_geom::DVec3;
+use radiosity_geom::{DVec3, ROUNDING};
 
-/// Irradiance at `x` with the unit normal `n` from a ball of exitance 1 about `center`; None inside it.
+/// Irradiance at `x` with the unit normal `n` from a ball of exitance 1 about `center`; None inside it
+/// and on it.
 pub fn ball(x: DVec3, n: DVec3, center: DVec3, radius: f64) -> Option<f64> {
     let step = center - x;
     let distance = step.length();
     let h = distance / radius;
-    if h <= 1.0 {
+    if h <= 1.0 + ROUNDING {
         return None;
     }
     let c = step.dot(n) / distance;

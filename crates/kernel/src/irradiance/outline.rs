@@ -6,11 +6,11 @@
 //! E = 1/(2π) | ∮ n·(p × dp)/|p|² | ,     p from x along the outline, as far as n·p > 0 .
 //! ```
 //!
-//! Where the outline dives below the horizon of the normal n, what is seen ends at the horizon, up to where the outline
-//! comes up again. There n·(p × dp)/|p|² is the angle about n.
+//! Where the outline dives below the horizon of the normal n, what is seen ends at the horizon, up to where
+//! the outline comes up again. There n·(p × dp)/|p|² is the angle about n.
 //!
-//! A segment has Lambert's term ([`lambert::side`]). On an arc p = c + r (cos ψ a + sin ψ b), with a along the part of c
-//! in the plane of the circle and m = a × b,
+//! A segment has Lambert's term ([`lambert::side`]). On an arc p = c + r (cos ψ a + sin ψ b), with a along
+//! the part of c in the plane of the circle and m = a × b,
 //!
 //! ```text
 //! n·(p × p′) = A + B cos ψ + C sin ψ ,    A = r² n_m ,  B = r (n_m c_a − c_m n_a) ,  C = −r c_m n_b ,
@@ -19,8 +19,8 @@
 //! J = 2/√(near far) · Δ atan(√(near/far) tan ½ψ) .
 //! ```
 //!
-//! No digits cancel however near x is to the circle; about its axis, where Q is small, the integrand has no peak and goes by
-//! points. 0 ≤ E ≤ 1.
+//! No digits cancel however near x is to the circle; about its axis, where Q is small, the integrand has no
+//! peak and goes by points. 0 ≤ E ≤ 1.
 //!
 //! Reference: P. Moon, *The scientific basis of illuminating engineering* (1936), for the contour integral.
 
@@ -56,8 +56,8 @@ pub struct Arc {
     pub angles: [f64; 2],
 }
 
-/// Irradiance from what lies within a closed outline, above the horizon of the unit normal `n`; negative where the
-/// outline runs clockwise as seen against its front. The pieces follow each other end to end.
+/// Irradiance from what lies within a closed outline, above the horizon of the unit normal `n`; negative
+/// where the outline runs clockwise as seen against its front. The pieces follow each other end to end.
 pub fn within(n: DVec3, pieces: &[Piece]) -> f64 {
     let mut sum = Sum { n, ends: None, value: 0.0 };
     for piece in pieces {

@@ -1,8 +1,9 @@
-//! Irradiance at a point outside a surface of revolution of even exitance: the wall of a cylinder or a cone, a disk or a
-//! ring, or a part of one between two half-planes through the axis.
+//! Irradiance at a point outside a surface of revolution of even exitance: the wall of a cylinder or a cone,
+//! a disk or a ring, or a part of one between two half-planes through the axis.
 //!
-//! What x sees of such a wall lies between the two generators whose tangent planes hold x. With r and z the distance of x
-//! from the axis and its height, and n_r ρ + n_z ζ = k on the meridian (ρ, ζ), x sees the generators at the angles
+//! The part of such a wall that x sees lies between the two generators whose tangent planes hold x. With r
+//! and z the distance of x from the axis and its height, and n_r ρ + n_z ζ = k on the meridian (ρ, ζ), x sees
+//! the generators at the angles
 //!
 //! ```text
 //! |ψ| < acos t ,     t = (k − n_z z)/(n_r r) ,
@@ -13,7 +14,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use radiosity_geom::{DVec2, DVec3, Meridian, Rect, Surface};
+use radiosity_geom::{DVec2, DVec3, Meridian, ROUNDING, Rect, Surface};
 
 use crate::irradiance::outline::{Arc, Piece, within};
 
@@ -28,8 +29,8 @@ pub struct Swept {
 }
 
 impl Swept {
-    /// The part of a surface over a range of its parameters; None of others than walls with the front outside, disks
-    /// and rings.
+    /// The part of a surface over a range of its parameters; None of others than walls with the front
+    /// outside, disks and rings.
     pub fn of(surface: &dyn Surface, rect: &Rect) -> Option<Self> {
         let meridian = surface.meridian()?.part(rect.v);
         if meridian.normal.x < 0.0 {
@@ -53,7 +54,12 @@ impl Swept {
         let across = DVec2::from_array(self.axes.map(|own| local.dot(own)));
         let place = DVec2::new(across.length(), local.dot(axis));
         let swing = normal.x * place.x;
-        let over = normal.dot(place - ends[0]) - swing;
+        let before = normal.dot(place - ends[0]);
+        // Points on the wall are those of its other side.
+        if before <= ROUNDING * self.meridian.size().max(place.length()) {
+            return 0.0;
+        }
+        let over = before - swing;
         let half = match swing {
             _ if over >= swing => PI,
             _ if over > -swing => (-over / swing).acos(),
@@ -141,7 +147,8 @@ mod tests {
     proptest! {
         #![proptest_config(ProptestConfig::with_cases(60))]
 
-        /// Cylinders, cones with a tip and without, disks and rings, whole and in parts, seen whole and past horizons.
+        /// Cylinders, cones with a tip and without, disks and rings, whole and in parts, seen whole and past
+        /// horizons.
         #[test]
         fn what_is_seen_of_a_wall_is_its_integral(
             kind in 0..5u8, u in -1.0..0.8f64, part in 0.1..1.0f64, x in prop::array::uniform3(-2.0..2.0f64),
@@ -166,7 +173,18 @@ mod tests {
         }
     }
 
-    /// Right before a wall it fills the half of the view that it does of a plane, and before a small gap all of it.
+    #[test]
+    fn the_other_side_of_a_wall_sees_nothing_of_it() {
+        let cone = Cone::new(DVec3::ONE, DVec3::new(0.3, -0.4, 1.2), 0.8, 0.3, FULL_TURN).unwrap();
+        let swept = Swept::of(&cone, &Rect::FULL).unwrap();
+        for (u, v) in [(0.1, 0.2), (-0.7, 0.9), (0.5, -1.0)] {
+            let own = cone.jet(u, v);
+            assert_eq!(swept.irradiance(own.position, -own.normal), 0.0);
+        }
+    }
+
+    /// Right before a wall it fills the half of the view that it does of a plane, and before a small gap all
+    /// of it.
     #[test]
     fn points_before_a_wall_see_their_share_of_it() {
         let tube = Cylinder::new(-5.0 * DVec3::Z, 10.0 * DVec3::Z, 1.0, FULL_TURN).unwrap();

@@ -14,9 +14,9 @@
 //! points per direction errs like n⁻². Hence W is integrated over exactly q(x) (`part`, `line`), and the
 //! kinks of W are found by comparing rules on p.
 //!
-//! Of an inner element on a sphere, over a rectangle of longitude and latitude, q(x) is known without a search
-//! (`zone_part`). Of flat inner patches W is known in closed form, however near they are (`flat_part`): there the outer
-//! patch may touch them.
+//! Of an inner element on a sphere, over a rectangle of longitude and latitude, q(x) is known without a
+//! search (`zone_part`). Of flat inner patches W is known in closed form, however near they are
+//! (`flat_part`): there the outer patch may touch them.
 //!
 //! κ vanishes linearly at a horizon. Where a horizon starts to leave q, what it cuts off is ∫₀ˢ t dt: W has a
 //! kink of about second order, max(0, s)², at which n points err like n⁻³. If all q lie in one plane they
@@ -42,8 +42,8 @@
 //! times its share of the parameters of p.
 //!
 //! Range of use. The patches p and q are apart: the caller halves pairs of gap/extent < ¼
-//! ([`SMALLEST_RATIO`](crate::rules::far::SMALLEST_RATIO)), except where κ is constant, and gives the numbers
-//! of points. Nothing stands between them but one ball, outside which all patches lie.
+//! ([`SMALLEST_RATIO`](crate::rules::far::SMALLEST_RATIO)), except where κ is constant or W a closed form,
+//! and gives the numbers of points. Nothing stands between them but one ball, outside which all patches lie.
 //!
 //! Error. [`Cut::error`] is that of the rule taken second, or the sum over all cells, in the norm max |T_ka|
 //! |T_lb| |δM_ab| of the block's entries (`estimates::entry_norm`). It is no bound. The rules for W count as
@@ -94,8 +94,8 @@ use zone_part::ZonePart;
 const RUNGS: [f64; 3] = [0.35, 0.55, 1.0];
 /// Fewest points of these rules: W, clipped, may need many points where the kernel needs few.
 const FEWEST: usize = 3;
-/// Fewest points of halves of cells over flat inner patches: W is smooth on cells that shrink geometrically toward a
-/// contact, and more points there gain more digits than more cells.
+/// Fewest points of halves of cells over flat inner patches: W is smooth on cells that shrink geometrically
+/// toward a contact, and more points there gain more digits than more cells.
 const FEWEST_OF_FLAT: usize = 7;
 /// Points that each of these rules has more than the one before at the least: no rule is compared with
 /// itself.
@@ -156,7 +156,8 @@ pub enum Inner<'a> {
     Zone(&'a Zone<'a>, [usize; 2]),
     /// Flat patches in one plane, however near, with the error allowed of the irradiance.
     Flat(&'a [Patch], f64),
-    /// A part of a surface of revolution that carries a constant, however near, with its plane if it lies in one.
+    /// A part of a surface of revolution that carries a constant, however near, with its plane if it lies in
+    /// one.
     Swept(&'a Swept, Option<Plane>),
 }
 
@@ -243,8 +244,10 @@ pub fn integrate(
         cut: Cut { moments: vec![0.0; outer.basis.len() * basis.len()], error: 0.0, samples: 0 },
     };
     if let Some(patch) = job.seeing() {
-        // Where a corner sees nothing W ends within the patch, and two rules may miss the same.
-        let (whole, agrees) = match job.has_dark_corner(&patch) {
+        // Where a corner sees nothing W ends within the patch, and two rules may miss the same; so they may
+        // what is smooth but for kinks along lines, unless both directions are asked.
+        let is_closed = matches!(inner, Inner::Flat(..) | Inner::Swept(..));
+        let (whole, agrees) = match is_closed || job.has_dark_corner(&patch) {
             true => (job.whole(patch, rungs(outer.points)[1]), false),
             false => job.climb(patch),
         };

@@ -15,17 +15,19 @@
 //! * a part with itself: convex → nothing, concave → [`radiosity_kernel::rules::identical`], else its halves
 //!   with themselves and with each other;
 //! * a constant kernel (two parts of the inside of one sphere) → κ ∫ φ_k dA ∫ φ_l dA, exact;
-//! * all of an element on a sphere at once, where its sectors are apart by a tenth of their extents, and by H/4
-//!   of the other part → [`radiosity_kernel::rules::horizon`];
+//! * all of an element on a sphere at once, where its sectors are apart by a tenth of their extents, and by
+//!   H/4 of the other part → [`radiosity_kernel::rules::horizon`];
 //! * apart, g ≥ H/4 → a tensor rule, or [`radiosity_kernel::rules::horizon`] where a horizon may cut the
 //!   pair;
+//! * near or touching, without a common edge or corner, where a closed form tells what each point of one
+//!   element sees of the other → that over all parts at once ([`closed_form`]);
 //! * touching → cut or halved until a rule covers the contact ([`radiosity_kernel::contact::patches`]), then
 //!   [`radiosity_kernel::rules::common_edge`], [`radiosity_kernel::rules::common_edge::unequal_speed`] or
 //!   [`radiosity_kernel::rules::common_vertex`];
 //! * near, 0 < g < H/4, or a contact without a rule, or touching and cut by a horizon → halved;
-//! * with blockers → sampled: large parts apart as for flat pairs ([`crate::occlusion::sampled`]), others by the rules
-//!   of their contacts after a few halvings; a single ball, outside which both elements lie, is left to
-//!   [`radiosity_kernel::rules::horizon`].
+//! * with blockers → sampled: large parts apart as for flat pairs ([`crate::occlusion::sampled`]), others by
+//!   the rules of their contacts after a few halvings; a single ball, outside which both elements lie, is
+//!   left to [`radiosity_kernel::rules::horizon`].
 //!
 //! Of an element with itself half of all pairs of parts are summed, H, and the block is H + Hᵀ; where a ball
 //! stands between them all ordered pairs, and the block is ½ (H + Hᵀ).
@@ -56,9 +58,9 @@
 //! summed by 1 to 4 points per direction. Blocks whose error stays too large are carried by rays
 //! (`unreached`).
 //!
-//! Error. `BlockReport::error` adds up, in entries of the block: s of pairs left out, or the coarse G_00 of a block
-//! left out; the differences of attempts, twice those of near parts, and at least 0.1 of what an attempt
-//! carries that missed its accuracy; three times what trials of contact rules missed;
+//! Error. `BlockReport::error` adds up, in entries of the block: s of pairs left out, or the coarse G_00 of a
+//! block left out; the differences of attempts, twice those of near parts, and at least 0.1 of what an
+//! attempt carries that missed its accuracy; three times what trials of contact rules missed;
 //! [`Cut::error`](radiosity_kernel::rules::horizon::Cut::error) of horizons, each allowed 0.3 ε S; the error
 //! of sampled visibility; 0.1 of what is summed roughly in the end. Rules whose numbers of points follow from
 //! the accuracy add nothing. The block is `unresolved` where an attempt or a trial missed its accuracy, a

@@ -149,6 +149,12 @@ impl Schedule<'_> {
                 _ => blockers.to_mut().extend(met.own),
             }
         }
+        // Rays that pass do not tell enough of the ends of a can, and what else lies behind all that is seen.
+        let stands =
+            |blocker: &usize| !self.visibility.hides_nothing(*blocker, [receiver.surface, emitter.surface]);
+        if blockers.iter().any(|blocker| !stands(blocker)) {
+            blockers.to_mut().retain(stands);
+        }
         // What a ball hides of a surface from itself is not known well enough either.
         let is_ball = row != column && self.visibility.only_ball(&blockers).is_some();
         let is_near = self.bounds[row].is_near(&self.bounds[column]);

@@ -7,14 +7,15 @@
 //! ```
 //!
 //! and nothing where x lies behind the plane of Q. Of a constant W is Lambert's formula of Q(x)
-//! ([`crate::irradiance::lambert`]), of polynomials the polar rule about the foot of x ([`crate::rules::near`]), whose
-//! rays are exact at every height. So W is known to rounding at all distances: near a point where the surface of x
-//! touches Q the kernel has a peak as wide as the gap, but W, the share of the view that Q fills, is smooth but where the
-//! horizon of x reaches a corner of Q (a kink of third order) or all of a side (of second order), and where
-//! the contact lies at the border of Q: there W changes within about the gap.
+//! ([`crate::irradiance::lambert`]), of polynomials the polar rule about the foot of x
+//! ([`crate::rules::near`]), whose rays are exact at every height. So W is known to rounding at all
+//! distances: near a point where the surface of x touches Q the kernel has a peak as wide as the gap, but W,
+//! the share of the view that Q fills, is smooth but where the horizon of x reaches a corner of Q (a kink of
+//! third order) or all of a side (of second order), and where the contact lies at the border of Q: there W
+//! changes within about the gap.
 //!
-//! Where the foot of x lies so far outside that polynomials extended to it lose digits, Q is apart from x, and a tensor
-//! rule sums it.
+//! Where the foot of x lies so far outside that polynomials extended to it lose digits, Q is apart from x,
+//! and a tensor rule sums it.
 
 use radiosity_elements::basis::AreaBasis;
 use radiosity_elements::patch::{Node, Patch};
@@ -52,7 +53,8 @@ impl<'a> FlatPart<'a> {
         facing(outer, &self.patch, false, 0.0) != Facing::Away
     }
 
-    /// Whether `x` may see some of it. A point where the surfaces touch lies in its plane, and sees it on its horizon.
+    /// Whether `x` may see some of it. A point where the surfaces touch lies in its plane, and sees it on its
+    /// horizon.
     pub(super) fn may_be_seen_from(&self, x: &Node) -> bool {
         let corners: Corners = self.polygon.iter().map(|corner| corner - x.position).collect();
         let level = -COINCIDENT * reach(&corners);

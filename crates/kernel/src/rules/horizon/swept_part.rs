@@ -1,4 +1,5 @@
-//! W(x) of a part of a surface of revolution that carries a constant, by its outline ([`crate::irradiance::swept`]).
+//! W(x) of a part of a surface of revolution that carries a constant, by its outline
+//! ([`crate::irradiance::swept`]).
 
 use radiosity_elements::patch::Node;
 
