@@ -434,6 +434,13 @@ pub struct CutSize {
     pub functions: u64,
 }
 
+impl CutSize {
+    /// Whether the surface is one element that carries a constant.
+    pub fn is_whole(&self) -> bool {
+        self.elements == 1 && self.functions == 1
+    }
+}
+
 /// Upper bounds of the elements and functions that [`Elements::new`] makes of each surface, without making
 /// them.
 pub fn cut_sizes(scene: &Scene, how: &Discretization) -> Vec<CutSize> {

@@ -42,6 +42,7 @@ mod linking;
 mod transport_choice;
 mod options;
 pub mod cost;
+mod allowance;
 mod choose_transport;
 mod forecast;
 mod memory_need;
@@ -66,6 +67,7 @@ use radiosity_elements::mesh::Mesh;
 use radiosity_scene::Scene;
 use radiosity_work::Work;
 
+pub use allowance::Allowance;
 use by_links::solve_by_links;
 pub(crate) use choose_transport::exact_price;
 pub use column_choice::ColumnChoice;

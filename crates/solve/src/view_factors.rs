@@ -367,6 +367,9 @@ fn constants(
         let visibility = Visibility::new(&scene, options.shadows, accuracy.shadow_eps);
         let auto = || Subdivide::Auto { occluded: visibility.any_shadow(), near_layers: false };
         let how = constant_on(options.subdivide.map_or_else(auto, Subdivide::Uniform));
+        if options.subdivide.is_none() {
+            keep_whole(&mut scene, &visibility);
+        }
         let plan = Plan::of(&scene, &how, &wanted, options, &visibility);
         (visibility, how, plan)
     };
@@ -400,9 +403,6 @@ fn constants(
         return Ok(Constants { elements, choice, found });
     }
     expect(seconds);
-    if options.subdivide.is_none() {
-        work.during(Stage::Visibility, || keep_whole(&mut scene, &visibility));
-    }
     require_memory(&scene, &how, options, work)?;
     let elements = work.during(Stage::Elements, || Elements::new(&scene, &how))?;
     note_assembly(&scene, &elements, &wanted, &(accuracy, options.shadows), work);

@@ -75,20 +75,29 @@ pub fn best_whole(visibility: &Visibility, surfaces: usize) -> Vec<bool> {
 
 /// The pairs of whole surfaces that the rule knows.
 fn known_pairs(visibility: &Visibility, surfaces: usize) -> Vec<([usize; 2], Coaxial)> {
-    let meridian = |surface: usize| Some((surface, visibility.meridian(surface)?));
-    let rings: Vec<(usize, Meridian)> = (0..surfaces).filter_map(meridian).collect();
-    let known = |i: usize, first: Meridian, j: usize, second: Meridian| {
-        second.beside(&first)?;
-        let hulls = [i, j].map(|surface| visibility.hull(surface));
-        let blockers = visibility.candidates(hulls[0], hulls[1], [i, j]);
-        let own = visibility.hiding_themselves([i, j], hulls);
-        let between = Between { blockers: &blockers, own: &own };
-        Some(([i, j], coaxial([first, second], i == j, [i, j], between, visibility)?))
-    };
-    let pairs = rings.iter().enumerate().flat_map(|(place, first)| {
-        rings[place..].iter().filter_map(move |second| known(first.0, first.1, second.0, second.1))
-    });
+    let rings: Vec<usize> = (0..surfaces).filter(|own| visibility.meridian(*own).is_some()).collect();
+    let known = |pair: [usize; 2]| Some((pair, of_surfaces(pair, visibility)?));
+    let pairs = rings
+        .iter()
+        .enumerate()
+        .flat_map(|(place, first)| rings[place..].iter().filter_map(move |second| known([*first, *second])));
     pairs.collect()
+}
+
+/// Whether the rule knows the exchange of two whole surfaces.
+pub(crate) fn knows(pair: [usize; 2], visibility: &Visibility) -> bool {
+    of_surfaces(pair, visibility).is_some()
+}
+
+/// The coaxial pair of two whole surfaces, if the rule knows it.
+fn of_surfaces(pair @ [i, j]: [usize; 2], visibility: &Visibility) -> Option<Coaxial> {
+    let meridians = [visibility.meridian(i)?, visibility.meridian(j)?];
+    meridians[1].beside(&meridians[0])?;
+    let hulls = pair.map(|surface| visibility.hull(surface));
+    let blockers = visibility.candidates(hulls[0], hulls[1], pair);
+    let own = visibility.hiding_themselves(pair, hulls);
+    let between = Between { blockers: &blockers, own: &own };
+    coaxial(meridians, i == j, pair, between, visibility)
 }
 
 /// The coaxial pair of two meridians on these surfaces, if the rule knows it.

@@ -3,6 +3,8 @@
 use radiosity_geom::DVec3;
 use radiosity_visibility::Visibility;
 
+use crate::coaxial;
+
 /// Rays that take as long as the exact block of two flat elements with nothing between; with flat blockers,
 /// and in addition for each of these; and of all others. From blocks of 30 µs, 200 µs and 250 µs a blocker,
 /// and 20 ms, and a million rays a second; whole scenes cost from a tenth to twice as much.
@@ -10,6 +12,10 @@ const FREE: f64 = 30.0;
 const PARTLY_HIDDEN: f64 = 200.0;
 const BLOCKER: f64 = 250.0;
 const CURVED: f64 = 20_000.0;
+
+/// Rays that take as long as the block of two rings that the rule of coaxial surfaces knows. Measured: 1.5 to 2
+/// ms at 1e-3, twice as long at 1e-7.
+const COAXIAL: f64 = 2_000.0;
 
 /// The least price of any pair.
 pub const LEAST: f64 = FREE;
@@ -23,6 +29,8 @@ pub struct ElementPair<'a> {
     pub hulls: [&'a [DVec3]; 2],
     /// Whether both are flat.
     pub are_flat: bool,
+    /// Whether both are whole surfaces that carry constants.
+    pub are_whole: bool,
 }
 
 /// About how many rays take as long as the exact block of a pair.
@@ -33,9 +41,9 @@ pub fn price(pair: &ElementPair, visibility: &Visibility) -> f64 {
 /// The [`price`] of a pair up to a limit; a price above it may be returned as any other one above it. Fewer
 /// blockers are looked for the lower it is.
 pub(crate) fn price_up_to(limit: f64, pair: &ElementPair, visibility: &Visibility) -> f64 {
-    let ElementPair { surfaces, hulls: [a, b], are_flat } = *pair;
+    let ElementPair { surfaces, hulls: [a, b], are_flat, are_whole } = *pair;
     if !are_flat {
-        return CURVED;
+        return if are_whole && coaxial::knows(surfaces, visibility) { COAXIAL } else { CURVED };
     }
     let most = match limit {
         limit if limit < CURVED => ((limit - PARTLY_HIDDEN) / BLOCKER).max(0.0) as usize,

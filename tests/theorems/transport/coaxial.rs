@@ -1,7 +1,7 @@
 //! Coaxial surfaces past a coaxial cylinder: closed forms, rows that sum to 1, and what rays find.
 
 use std::f64::consts::{FRAC_PI_2, PI};
-use std::sync::Arc;
+use std::sync::{Arc, Mutex};
 
 use radiosity::geom::shapes::{Cone, Disk, FULL_TURN};
 use radiosity::geom::{DVec3, Surface};
@@ -10,6 +10,7 @@ use radiosity::scene::Scene;
 use radiosity::solve::Transport;
 use radiosity::solve::view_factors::Options;
 use radiosity::visibility::Shadows;
+use radiosity::work::Progress;
 use radiosity::{ViewFactors, Work};
 use radiosity_test_support::scenes::grey;
 use radiosity_test_support::shapes::{ball, tube};
@@ -190,4 +191,37 @@ fn rays_find_what_the_rule_does() {
             assert!(off <= 3.0 * told, "{name} {i}: {off:.1e} {told:.1e}");
         }
     }
+}
+
+/// A tube in a tube, both in so many slices, closed by rings.
+fn sliced(slices: usize) -> Scene {
+    let edge = |k: usize| 2.0 * k as f64 / slices as f64;
+    let slice = |k: usize| {
+        let heights = [edge(k), edge(k + 1)];
+        [(UPRIGHT.tube(0.4, heights), false), (UPRIGHT.tube(1.0, heights), true)]
+    };
+    let ends = [(UPRIGHT.ring([0.4, 1.0], 0.0, 1.0), false), (UPRIGHT.ring([0.4, 1.0], 2.0, -1.0), false)];
+    scene((0..slices).flat_map(slice).chain(ends).collect())
+}
+
+/// The price of pairs that the rule knows is theirs, in seconds as they are told before and in evaluations as they are
+/// taken, and rules are chosen where those of other curved things would take minutes.
+#[test]
+fn what_rules_of_rings_take_is_told_before() {
+    let accuracy = Accuracy { eps: 1e-3, shadow_eps: 1e-3 };
+    let options = Options { accuracy, threads: 2, ..Options::default() };
+    let seconds_of_a_sample = |slices: usize| {
+        let told = Mutex::new(0.0);
+        let observer = |progress| {
+            if let Progress::Expected { seconds, .. } = progress {
+                *told.lock().expect("no other panicked") += seconds;
+            }
+        };
+        let work = Work::alone().observed_by(&observer);
+        let factors = ViewFactors::new(&sliced(slices), &options, &work).expect("all have area");
+        assert!(!factors.choice.sampled, "{}", factors.choice.why);
+        told.into_inner().expect("no other panicked") / factors.samples as f64
+    };
+    let [few, many] = [2, 12].map(seconds_of_a_sample);
+    assert!((0.4..2.5).contains(&(few / many)), "{few} {many}");
 }

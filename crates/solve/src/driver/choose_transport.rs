@@ -10,13 +10,12 @@
 //! What exact blocks would cost is told beforehand by some of the pairs of surfaces: whether their planes let
 //! them see each other, whether they are flat, and how many surfaces reach into the hull of both.
 
-use std::time::Duration;
-
-use radiosity_elements::{Discretization, cut_sizes};
+use radiosity_elements::{CutSize, Discretization, cut_sizes};
 use radiosity_scene::Scene;
 use radiosity_transport::price::{ElementPair, LEAST, price};
 use radiosity_visibility::{Shadows, Visibility};
 
+use super::allowance::Allowance;
 use super::cost::seconds_of_rays;
 use super::light_method::LightMethod;
 use super::options::Options;
@@ -40,7 +39,7 @@ impl TransportChoice {
     pub fn of<'a>(
         scene: &Scene,
         options: &Options,
-        left: Option<Duration>,
+        left: Option<Allowance>,
         visibility: impl FnOnce() -> &'a Visibility,
     ) -> Self {
         let exact = |why: &str| Self { sampled: false, why: why.to_owned() };
@@ -66,12 +65,13 @@ impl TransportChoice {
     fn by_price<'a>(
         scene: &Scene,
         options: &Options,
-        left: Option<Duration>,
+        left: Option<Allowance>,
         visibility: impl FnOnce() -> &'a Visibility,
     ) -> Self {
         let usual = usual_rays(scene.surfaces.len(), USUAL_ACCURACY) as f64;
         let finer = (USUAL_ACCURACY / options.accuracy().shadow_eps).max(1.0);
-        let in_time = left.map_or(f64::INFINITY, |left| left.as_secs_f64() / seconds_of_rays(1.0));
+        let rays = |left: Allowance| left.of_two(left.seconds()) / seconds_of_rays(1.0);
+        let in_time = left.map_or(f64::INFINITY, rays);
         let limit = (AS_GOOD * finer * usual).min(in_time);
         let (price, about) = match exact_price_at_least(scene) {
             price if price > limit => (price, "more than"),
@@ -132,15 +132,14 @@ pub(crate) fn exact_price(
     wanted: &dyn Fn(usize, usize) -> bool,
     visibility: &Visibility,
 ) -> PairsPrice {
-    let counts: Vec<u64> = cut_sizes(scene, how).iter().map(|size| size.elements).collect();
-    price_of_pairs(scene, &counts, wanted, visibility)
+    price_of_pairs(scene, &cut_sizes(scene, how), wanted, visibility)
 }
 
-/// The price of the exact blocks between so many elements of each surface, in rays, from some of the pairs of surfaces
-/// that are `wanted`.
+/// The price of the exact blocks between the elements of each surface, in rays, from some of the pairs of surfaces that
+/// are `wanted`.
 pub(super) fn price_of_pairs(
     scene: &Scene,
-    counts: &[u64],
+    sizes: &[CutSize],
     wanted: &dyn Fn(usize, usize) -> bool,
     visibility: &Visibility,
 ) -> PairsPrice {
@@ -154,9 +153,14 @@ pub(super) fn price_of_pairs(
             return PairsPrice::default();
         }
         let are_flat = [a.is_flat(), b.is_flat()];
-        let pair =
-            ElementPair { surfaces: [i, j], hulls: [&a.hull, &b.hull], are_flat: are_flat == [true; 2] };
-        let price = (counts[i] * counts[j]) as f64 * price(&pair, visibility);
+        let sizes = [sizes[i], sizes[j]];
+        let pair = ElementPair {
+            surfaces: [i, j],
+            hulls: [&a.hull, &b.hull],
+            are_flat: are_flat == [true; 2],
+            are_whole: sizes.iter().all(CutSize::is_whole),
+        };
+        let price = (sizes[0].elements * sizes[1].elements) as f64 * price(&pair, visibility);
         match are_flat {
             [true, true] => PairsPrice { flat: price, ..PairsPrice::default() },
             [false, false] => PairsPrice { curved: price, ..PairsPrice::default() },

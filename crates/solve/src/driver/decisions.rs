@@ -1,7 +1,6 @@
 //! Decisions about a model before its elements are made: what carries its pairs, and how surfaces are cut.
 
 use std::borrow::Cow;
-use std::time::Duration;
 
 use radiosity_elements::mesh::Mesh;
 use radiosity_elements::{Discretization, Subdivide, usual_mesh};
@@ -10,6 +9,7 @@ use radiosity_scene::Scene;
 use radiosity_visibility::Visibility;
 use radiosity_work::ranks::Ranks;
 
+use super::allowance::Allowance;
 use super::failure::Failure;
 use super::forecast::rays_in_time;
 use super::memory_need::{MemoryNeed, peak_of_mesh, require_memory_of_mesh};
@@ -77,7 +77,7 @@ impl<'a> AssemblyPlan<'a> {
     }
 
     /// All decisions about `scene`, with so much time `left` if that is limited.
-    pub(super) fn decided(self, scene: &Scene, options: &Options, left: Option<Duration>) -> Decisions<'a> {
+    pub(super) fn decided(self, scene: &Scene, options: &Options, left: Option<Allowance>) -> Decisions<'a> {
         let visibility = options.visibility(scene);
         let choice = self.choice.unwrap_or_else(|| TransportChoice::of(scene, options, left, || &visibility));
         let left = left.filter(|_| options.rays.is_none());

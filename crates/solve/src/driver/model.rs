@@ -175,16 +175,20 @@ impl Model {
         let entries = first.reflected(first.emissions()).expect("the emission is the same");
         let entries = &entries.into_iter().map(|own| own.entry).collect::<Vec<_>>();
         let subject = Subject { elements, bands, entries, visibility, options, work };
-        if kept.is_none() {
-            work.report(Progress::Expected { stage: Stage::Blocks, seconds: ready.seconds_of_pairs() });
-        }
+        // Of scenes that follow the first one nobody asks how long they take.
+        let is_first = kept.as_deref().is_none_or(|kept| kept.blocks.elements().is_none());
         if let Some(kept) = &mut kept {
             kept.blocks.move_to(scene, elements, visibility);
         }
         let mut took = Duration::ZERO;
         let known =
             kept.as_deref_mut().and_then(|kept| kept.unchanged(&senders(scene), &|| subject.shares()));
-        let found = || known.unwrap_or_else(|| carried(scene, &subject, *rays, kept));
+        let found = || {
+            if is_first {
+                work.report(Progress::Expected { stage: Stage::Blocks, seconds: ready.seconds_of_pairs() });
+            }
+            known.unwrap_or_else(|| carried(scene, &subject, *rays, kept))
+        };
         let (blocks, sampling) = timed(&mut took, || work.during(Stage::Blocks, found));
         ready.seconds.blocks = took;
         Self { ready, blocks, sampling, is_bounded: true }

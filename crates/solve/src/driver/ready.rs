@@ -12,6 +12,7 @@ use radiosity_work::ranks::Ranks;
 use radiosity_work::wording::{option, set};
 use radiosity_work::{Stage, Work};
 
+use super::allowance::Allowance;
 use super::column_choice::ColumnChoice;
 use super::decisions::{AssemblyPlan, Decisions};
 use super::direct::{Direct, Transfers};
@@ -60,12 +61,14 @@ impl Ready {
     ) -> Result<Self, Failure> {
         require_diffuse(scene, options)?;
         let mut seconds = Stages::default();
-        let decide = || work.during(Stage::Visibility, || plan.decided(scene, options, work.left()));
+        let decide =
+            || work.during(Stage::Visibility, || plan.decided(scene, options, Allowance::of(work, options)));
         let decisions = timed(&mut seconds.visibility, decide);
         let elements_before = before.and_then(|kept| kept.blocks.elements());
         // Scenes that follow need as much as the first one.
         if elements_before.is_none() {
-            decisions.require_memory(scene, options, before.is_some(), work.ranks)?;
+            let require = || decisions.require_memory(scene, options, before.is_some(), work.ranks);
+            work.during(Stage::Elements, require)?;
         }
         let cut = || {
             let elements = elements(scene, &decisions, elements_before)?;

@@ -71,6 +71,14 @@ const ROUGH: f64 = 1e-4;
 /// of the time of the solution.
 const MOST_PROBED: usize = 64;
 
+/// Ends of rays that are sent by a deadline: of the first half of those that were planned, which go on for longer, as
+/// light may grow without end by fewer rays than elements were cut for; and of all.
+#[derive(Clone, Copy, Debug)]
+struct RayEnds {
+    of_half: Instant,
+    of_all: Instant,
+}
+
 /// A scene ready for rays.
 #[derive(Debug)]
 pub(super) struct Subject<'a> {
@@ -167,7 +175,7 @@ impl Subject<'_> {
             .unwrap_or_else(|_| vec![1.0; self.elements.list().len()]);
         let planned = self.by_brightness(rays as f64, &bright);
         let total = transport.sent().iter().sum::<u64>() + planned.iter().sum::<u64>();
-        let until = self.end_of_rays(sent.elapsed());
+        let until = self.ends_of_rays(sent.elapsed());
         if !work.is_ended() {
             transport.settle_again(&planned, self.accuracy(rays), kept, work);
             self.send_in_rounds(&mut transport, &planned, until);
@@ -201,16 +209,16 @@ impl Subject<'_> {
         self.work.is_ended() || until.is_some_and(|until| Instant::now() >= until)
     }
 
-    /// The instant at which rays end that begin now, where time is limited and a solution took so long.
-    fn end_of_rays(&self, solution: Duration) -> Option<Instant> {
+    /// The ends of rays that begin now, where time is limited and a solution took so long.
+    fn ends_of_rays(&self, solution: Duration) -> Option<RayEnds> {
         let left = self.work.left()?;
-        Some(Instant::now() + left.mul_f64(SENT).min(left.saturating_sub(AFTER * solution)))
+        let (now, before) = (Instant::now(), left.saturating_sub(AFTER * solution));
+        Some(RayEnds { of_half: now + before, of_all: now + left.mul_f64(SENT).min(before) })
     }
 
-    /// Sends the planned rays, unless the work is stopped, the second half `until` an instant if time is limited:
-    /// by fewer rays than elements were cut for, light may grow without end. Elsewhere the error so far is told
+    /// Sends the planned rays, unless the work is stopped or time is limited and up. Elsewhere the error so far is told
     /// after rounds 1, 2, 4, 8, …: what this costs is a part of what the rays do.
-    fn send_in_rounds(&self, transport: &mut SampledTransport, planned: &[u64], until: Option<Instant>) {
+    fn send_in_rounds(&self, transport: &mut SampledTransport, planned: &[u64], until: Option<RayEnds>) {
         let before: u64 = transport.sent().iter().sum();
         let total = before + planned.iter().sum::<u64>();
         let rounds = (total - before).div_ceil(ROUND);
@@ -220,7 +228,8 @@ impl Subject<'_> {
                 |round: u64, count: u64| (u128::from(count) * u128::from(round) / u128::from(rounds)) as u64;
             let now: Vec<u64> =
                 planned.iter().map(|count| up_to(round, *count) - up_to(round - 1, *count)).collect();
-            let end = |done: u64| until.filter(|_| 2 * done >= total);
+            let end =
+                |done: u64| until.map(|ends| if 2 * done >= total { ends.of_all } else { ends.of_half });
             transport.send(&now, &mut |more| {
                 let done = done + more;
                 self.goes_on(Progress::Rays { done, of: total, error }, end(done))

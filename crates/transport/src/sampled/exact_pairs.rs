@@ -7,7 +7,7 @@
 
 use std::collections::HashSet;
 
-use radiosity_elements::Elements;
+use radiosity_elements::{Element, Elements};
 use radiosity_kernel::blocks::held_rows::HeldRows;
 use radiosity_kernel::{Accuracy, BlockStatistics, Blocks};
 use radiosity_visibility::Visibility;
@@ -117,10 +117,12 @@ impl ExactPairs {
 
 /// Two elements whose block may be made.
 fn element_pair(elements: &Elements, pair: [usize; 2]) -> ElementPair<'_> {
-    let [a, b] = pair.map(|index| &elements.list()[index]);
+    let pair @ [a, b] = pair.map(|index| &elements.list()[index]);
+    let is_whole = |own: &Element| own.basis.len() == 1 && elements.of_surface(own.surface).len() == 1;
     ElementPair {
         surfaces: [a.surface, b.surface],
         hulls: [&a.hull, &b.hull],
         are_flat: a.plane.is_some() && b.plane.is_some(),
+        are_whole: pair.iter().all(|own| is_whole(own)),
     }
 }
