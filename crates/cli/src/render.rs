@@ -260,7 +260,8 @@ impl RenderArgs {
         let Some(left) = run.time_left().filter(|_| !is_bound) else { return asked };
         let fits = |way: &Way| {
             let request = self.request(way, solution, run.solved.visibility(), camera);
-            request.seconds(&run.work()) <= left.as_secs_f64()
+            // Forecasts are of two threads.
+            2.0 * request.seconds(&run.work()) <= run.threads as f64 * left.as_secs_f64()
         };
         let basis = Way::hurried(ReadMode::Basis);
         [asked, Way::hurried(ReadMode::Direct)].into_iter().find(fits).unwrap_or(basis)

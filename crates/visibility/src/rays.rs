@@ -3,6 +3,7 @@
 use std::iter;
 
 use radiosity_geom::{DVec3, Encounter, Ray, touching};
+use radiosity_work::counted::count_rays;
 
 use super::Visibility;
 use crate::tolerances::OWN_END;
@@ -11,12 +12,14 @@ impl Visibility {
     /// The first surface that a ray meets. Front and back of a two-sided surface are met at once, and the
     /// front counts.
     pub fn nearest(&self, ray: &Ray) -> Option<Encounter> {
+        count_rays(1);
         self.rays.nearest(ray)
     }
 
     /// The first surface that a ray meets which starts at `origin`, on `surface`, and goes along `direction`:
     /// not that surface itself, but where it bends back.
     pub fn nearest_from(&self, surface: usize, origin: DVec3, direction: DVec3) -> Option<Encounter> {
+        count_rays(1);
         self.rays.nearest_from(surface, origin, direction)
     }
 
@@ -55,6 +58,7 @@ impl Visibility {
 
     /// Whether nothing stands between `x`, on `surface` if on any, and `y`, which may lie on another.
     pub fn is_free(&self, surface: Option<usize>, x: DVec3, y: DVec3) -> bool {
+        count_rays(1);
         match surface {
             Some(surface) => self.rays.is_free_from(surface, x, y - x, 1.0 - OWN_END),
             None => self.rays.nearest(&Ray { range: [0.0, 1.0 - OWN_END], ..Ray::new(x, y - x) }).is_none(),

@@ -4,8 +4,8 @@
 //! (sentences of messages, with the names of options as data), `interruption` (ends work of which nothing is
 //! wanted any more), `ranks` (processes or threads that share work, and the journal of what they have done),
 //! `progress` and `observer` (how far it is, and who observes it), `deadline` (ends it with the best so far),
-//! `pace` (shares the time until then among many things), `work` (ranks, observer and deadline together, as they
-//! are handed down).
+//! `pace` (shares the time until then among many things), `counted` (rays, from which forecasts are made), `work`
+//! (ranks, observer and deadline together, as they are handed down).
 //!
 //! Imports no other crate of the workspace.
 
@@ -15,6 +15,7 @@ pub mod printable;
 pub mod listed;
 pub mod wording;
 pub mod interruption;
+pub mod counted;
 pub mod ranks;
 mod progress;
 mod observer;

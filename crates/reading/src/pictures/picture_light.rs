@@ -61,6 +61,8 @@ pub(crate) struct ComputedLight {
 #[derive(Debug)]
 pub(crate) struct PictureLight<'a> {
     solution: &'a Solution,
+    visibility: &'a Visibility,
+    read: ReadMode,
     /// Relative accuracy of what is computed.
     eps: f64,
     /// Mean irradiance of the scene, the sum over the bands (W m⁻²).
@@ -124,7 +126,7 @@ impl<'a> PictureLight<'a> {
         };
         let mean = solution.mean_arriving().iter().sum();
         let shown = Quantity::default();
-        Self { solution, eps, mean, shown, eye: None, direct, rest, doubt: Doubt::OfPixels }
+        Self { solution, visibility, read, eps, mean, shown, eye: None, direct, rest, doubt: Doubt::OfPixels }
     }
 
     /// This light, as texels show it.
@@ -155,6 +157,13 @@ impl<'a> PictureLight<'a> {
     /// Whether rays gather the rest.
     pub(crate) fn gathers_by_rays(&self) -> bool {
         self.rest.as_ref().is_some_and(|rest| matches!(rest.by(), GatheredBy::Rays(_)))
+    }
+
+    /// About the seconds of one core in which cells gather the rest at so many places, with their tables.
+    pub(crate) fn seconds_by_cells(&self, places: f64) -> f64 {
+        let Self { solution, visibility, eps, .. } = *self;
+        let twice = self.read == ReadMode::GatherTwice;
+        GatherMethod::Cells.seconds(solution, visibility, eps, places, f64::INFINITY, twice)
     }
 
     /// Relative accuracy of what is computed.

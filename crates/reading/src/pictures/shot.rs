@@ -54,7 +54,7 @@ impl<'a> Shot<'a> {
         Self { light, eye, view: Pinhole::new(camera), size, grid: PixelGrid::new(samples), work }
     }
 
-    /// About the seconds that the picture takes.
+    /// About the seconds that the picture takes two threads.
     pub(super) fn seconds(&self) -> f64 {
         let [width, height] = self.size;
         let seen = |pixel: usize| {
