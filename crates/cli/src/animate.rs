@@ -239,7 +239,7 @@ pub(crate) fn run(args: &AnimateArgs, loaded: Loaded, ranks: &Ranks) -> Result<(
     progress.begin_output();
     let work = Work::among(ranks).observed_by(&progress);
     let stages = |event| {
-        if let Event::Began { .. } | Event::Ended { .. } = event {
+        if let Event::Expected { .. } | Event::Began { .. } | Event::Ended { .. } = event {
             progress.report(event);
         }
     };

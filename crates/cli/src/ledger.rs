@@ -60,6 +60,11 @@ impl Ledger {
         *self.expected.entry(stage).or_default() += seconds;
     }
 
+    /// Seconds that a stage was to take by what was told.
+    pub(crate) fn expected(&self, stage: Stage) -> f64 {
+        self.expected.get(&stage).copied().unwrap_or(0.0)
+    }
+
     /// Begins a stage.
     pub(crate) fn begin(&mut self, stage: Stage) {
         self.book();

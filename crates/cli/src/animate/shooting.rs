@@ -5,7 +5,7 @@ use std::time::Instant;
 use radiosity_reading::pictures::film::{Film, FilmError};
 use radiosity_scene::Scene;
 use radiosity_solve::animation::follower::Follower;
-use radiosity_work::Work;
+use radiosity_work::{Stage, Work};
 
 use super::frames::FrameRange;
 use super::shutter::{Shutter, SolvedFrame};
@@ -33,6 +33,10 @@ pub(super) struct Shooting<'a> {
     /// Number of frames that were made when the time left was told.
     told: usize,
 }
+
+/// Time of the blocks of each other frame over what is told of those of the first. Measured in three scenes of four
+/// frames: 0.6 to 1.1.
+const FOLLOWING: f64 = 0.8;
 
 /// Frames after which the time that is left is told. Chosen.
 const TOLD_EACH: usize = 16;
@@ -112,19 +116,22 @@ impl<'a> Shooting<'a> {
         Ok(SolvedFrame { number, frame: self.follower.frame(number, self.work)? })
     }
 
-    /// Begins the film with the first frame, and tells about how long it takes.
+    /// Begins the film with the first frame, and tells about how long all takes.
     fn begin(&mut self, first: &SolvedFrame) -> Result<(), CliError> {
         let count = self.wanted.len();
-        let solving = self.begun.elapsed().as_secs_f64();
         let (shutter, scene, ranks) = (&self.shutter, self.scene, self.work.ranks);
-        let mut pictures = 0.0;
         if shutter.files.is_some() {
             let film = shutter.film(scene, &first.frame);
             let shown = shutter.shown(first, true);
-            pictures = shutter.asked.in_threads(ranks, || film.seconds(&shown, &Work::among(ranks)))?;
+            let each = shutter.asked.in_threads(ranks, || film.seconds(&shown, &Work::among(ranks)))?;
+            self.progress.ledger().expect(Stage::Picture, count as f64 * each);
             self.film = Some(film);
         }
-        let time = TimeLeft::new(self.begun, count, solving + pictures);
+        let of_first = self.progress.ledger().expected(Stage::Blocks);
+        let others = self.range.count().saturating_sub(1);
+        self.progress.ledger().expect(Stage::Blocks, FOLLOWING * others as f64 * of_first);
+        let all = [Stage::Blocks, Stage::Picture].map(|stage| self.progress.ledger().expected(stage));
+        let time = TimeLeft::new(self.begun, count, all[0] - of_first + all[1]);
         self.progress.announce(&format!("{count} frames"), time.seconds(0));
         self.time = Some(time);
         Ok(())

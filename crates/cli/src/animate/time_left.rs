@@ -12,9 +12,9 @@ pub(super) struct TimeLeft {
 }
 
 impl TimeLeft {
-    /// The time of so many frames, begun at a time, that are expected to take so many seconds each from now on.
-    pub(super) fn new(begun: Instant, frames: usize, each: f64) -> Self {
-        Self { begun, frames, forecast: begun.elapsed().as_secs_f64() + each * frames as f64 }
+    /// The time of so many frames, begun at a time, that are expected to take so many seconds more.
+    pub(super) fn new(begun: Instant, frames: usize, more: f64) -> Self {
+        Self { begun, frames, forecast: begun.elapsed().as_secs_f64() + more }
     }
 
     /// About the seconds from now on when so many frames are made: by the forecast at first, by what these took later.
