@@ -222,6 +222,6 @@ fn what_rules_of_rings_take_is_told_before() {
         assert!(!factors.choice.sampled, "{}", factors.choice.why);
         told.into_inner().expect("no other panicked") / factors.samples as f64
     };
-    let [few, many] = [2, 12].map(seconds_of_a_sample);
+    let [few, many] = [4, 24].map(seconds_of_a_sample);
     assert!((0.4..2.5).contains(&(few / many)), "{few} {many}");
 }

@@ -38,6 +38,9 @@ const SEARCHED: f64 = 0.8;
 const SPOTS: f64 = 150.0;
 const OF_UNEVEN: f64 = 0.6;
 
+/// Part of a length by which points follow each other evenly.
+const GOLDEN: f64 = 0.618_033_988_749_895;
+
 /// Cores that forecasts are of.
 const CORES: f64 = 2.0;
 
@@ -88,9 +91,11 @@ impl<'a> Trial<'a> {
         places: usize,
         seen: &(dyn Fn(usize) -> Option<SeenPlace> + Sync),
     ) -> Self {
+        // Runs begin in all columns, whatever the width is.
         let place = |trial: usize| {
-            let first = (2 * (trial / RUN) + 1) * places / (2 * RUNS);
-            (first + trial % RUN).min(places - 1)
+            let run = (trial / RUN) as f64;
+            let part = (run + (GOLDEN * (run + 0.5)).fract()) / RUNS as f64;
+            ((part * places as f64) as usize + trial % RUN).min(places - 1)
         };
         let seen: Vec<Option<SeenPlace>> =
             (0..RUNS * RUN).into_par_iter().map(|trial| seen(place(trial))).collect();
