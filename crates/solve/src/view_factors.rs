@@ -57,8 +57,8 @@ pub use options::Options;
 use plan::Plan;
 use row_noise::RowNoise;
 
-/// Surfaces that go all the way round an axis, at most, of which pairs are looked at before rules are chosen. Chosen: the
-/// pairs of a thousand in a soda shop took 16 s, its rays 9.
+/// Surfaces that go all the way round an axis, at most, of which pairs are looked at before rules are chosen.
+/// Chosen: the pairs of a thousand in a soda shop took 16 s, its rays 9.
 const FEW_RINGS: usize = 100;
 
 /// Errors that are known or asked by which the row sum of a closed scene may miss 1. Chosen: as rows that are told
@@ -179,7 +179,8 @@ impl ViewFactors {
         })
     }
 
-    /// The rows of all surfaces as [`ViewFactors::nonzeros`], one after the other, which takes less than each by itself.
+    /// The rows of all surfaces as [`ViewFactors::nonzeros`], one after the other, which takes less than each by
+    /// itself.
     pub fn sparse_rows(&self) -> impl Iterator<Item = Vec<(usize, f64)>> + Clone {
         self.exchanges.rows().zip(&self.areas).map(|(row, area)| {
             let own = row.into_iter().filter(|(_, exchange)| *exchange != 0.0);

@@ -11,7 +11,7 @@ pub fn count_rays(rays: u64) {
     RAYS.set(RAYS.get().wrapping_add(rays));
 }
 
-/// What `work` makes, which does not go on in other threads, and the rays that it counted.
+/// Does `work`, which does not go on in other threads, and returns what it makes with the rays that it counted.
 pub fn with_rays<T>(work: impl FnOnce() -> T) -> (T, u64) {
     let before = RAYS.get();
     let made = work();
