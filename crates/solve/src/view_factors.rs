@@ -262,7 +262,7 @@ struct Constants {
 enum Found {
     /// Blocks by rules or by rays.
     Blocks {
-        blocks: Blocks,
+        blocks: Box<Blocks>,
         /// The errors that rays leave, where they carry the pairs.
         noise: Option<RowNoise>,
         exact_pairs: usize,
@@ -405,7 +405,7 @@ fn constants(
             work,
         };
         let Carried { blocks, noise, exact_pairs } = work.during(Stage::Blocks, || sent.carried())?;
-        let found = Found::Blocks { blocks, noise: Some(noise), exact_pairs };
+        let found = Found::Blocks { blocks: Box::new(blocks), noise: Some(noise), exact_pairs };
         return Ok(Constants { elements, choice, found });
     }
     expect(seconds);
@@ -419,7 +419,11 @@ fn constants(
     let wanted = |a, b| wanted(surface(a), surface(b));
     let demand = Demand { whole: FactorEnds::Surface, ..Demand::all(&elements, &visibility, accuracy) };
     let blocks = work.during(Stage::Blocks, || transport::assemble(demand.of(&wanted), None, work));
-    Ok(Constants { elements, choice, found: Found::Blocks { blocks, noise: None, exact_pairs: 0 } })
+    Ok(Constants {
+        elements,
+        choice,
+        found: Found::Blocks { blocks: Box::new(blocks), noise: None, exact_pairs: 0 },
+    })
 }
 
 /// The transport of many small flat surfaces, where these are such, no number of rays is given and memory suffices.
