@@ -13,6 +13,10 @@
 //! e² = ∫∫ κ² · Σ κ_k² (V_k − v)² / (Σ κ_k)² .
 //! ```
 //!
+//! Where n segments agree, one more would not with probability 1/(n + 2) about (P.-S. Laplace's rule of succession),
+//! and by that part of the whole the exchange may err. A pair that matters in a row has more segments, in proportion to
+//! its share of it.
+//!
 //! Pairs of which a part is hidden, and all of the first segments agree, are missed. A pair of a known part v, neither
 //! 0 nor 1, would have been missed with the probabilities vᵏ, as wholly seen, and (1 − v)ᵏ, as wholly hidden, and stands
 //! for p/(1 − p) pairs that were (D. Horvitz, D. Thompson, *J. Am. Stat. Assoc.* 47 (1952) 663-685).
@@ -46,6 +50,10 @@ const USUAL_EPS: f64 = 1e-3;
 /// Fewest segments of a pair of which a part is hidden, and most of them for each of the first ones. Chosen.
 const FEWEST: u64 = 16;
 const MOST: u64 = 64;
+
+/// Share of a row from which a pair has the most segments where all agree, and smaller ones in proportion. Chosen: a
+/// row has ten times the most of a pair.
+const LARGE: f64 = 0.1;
 
 /// Seconds of two threads that a segment takes, and segments of pairs of which a part is hidden over the first ones.
 /// Measured on dented balls.
@@ -95,20 +103,32 @@ struct Counts {
     exact: usize,
 }
 
-/// What the first segments find of a row.
+/// The row of a facet as the first segments find it (length²).
+#[derive(Clone, Copy, Debug, Default)]
+struct RowSize {
+    largest: f64,
+    sum: f64,
+}
+
+/// Findings of the first segments of a row.
 #[derive(Debug, Serialize, Deserialize)]
 struct FirstLook {
     pairs: RowPairs,
-    /// Exchanges of those of which a part is hidden, if nothing hid it (length²).
+    /// Exchanges of those that the first ones leave open, if nothing hid a part of them (length²).
     whole: Vec<f64>,
     counts: Counts,
 }
 
-/// What further segments find of the pairs of a row of which a part is hidden.
-#[derive(Debug, Serialize, Deserialize)]
+/// Findings of further segments of the pairs of a row that are looked at again.
+#[derive(Debug, Default, Serialize, Deserialize)]
 struct SecondLook {
+    places: Vec<u32>,
     pairs: Vec<MixedPair>,
     segments: u64,
+    /// Those of which a part is hidden.
+    partly_hidden: usize,
+    /// Those by contours that had counted as seen wholly, and are not.
+    no_longer_exact: usize,
 }
 
 impl<'a> FacetTransport<'a> {
@@ -147,19 +167,21 @@ impl<'a> FacetTransport<'a> {
             found
         };
         let mut looks = self.work.ranks.map(PartName::Facets, &lengths, first);
-        let allowed = self.allowed(&looks);
-        let mixed: Vec<f64> = looks.iter().map(|look| 1.0 + look.whole.len() as f64).collect();
+        let sizes = self.row_sizes(&looks);
+        let again: Vec<f64> = looks.iter().map(|look| 1.0 + look.whole.len() as f64).collect();
         let second = |row: usize| {
-            let found = self.second_look(row, &looks[row], &allowed);
+            let found = self.second_look(row, &looks[row], &sizes);
             tell();
             found
         };
-        let found = self.work.ranks.map(PartName::Facets, &mixed, second);
+        let found = self.work.ranks.map(PartName::Facets, &again, second);
         let mut counts = Counts::default();
-        for (look, SecondLook { pairs, segments }) in looks.iter_mut().zip(found) {
-            look.pairs.settle(pairs);
+        for (look, second) in looks.iter_mut().zip(found) {
             counts.add(&look.counts);
-            counts.segments += segments;
+            counts.segments += second.segments;
+            counts.pairs.partly_hidden += second.partly_hidden;
+            counts.exact -= second.no_longer_exact;
+            look.pairs.settle(second.places, second.pairs);
         }
         let Counts { pairs, samples, segments, exact } = counts;
         FacetExchanges {
@@ -196,40 +218,96 @@ impl<'a> FacetTransport<'a> {
             let mut segments = self.segments(row, column);
             segments.send(self.first);
             look.counts.segments += segments.sent();
-            look.take(column, whole, sight.is_far, &segments);
+            let matters = self.closer(whole / own.area.min(other.area)) > self.first;
+            look.take(column, whole, sight.is_far, matters, &segments);
         }
         look.counts.pairs.total = self.facets.len() - row - 1;
         look.pairs.shrink();
         look
     }
 
-    /// The error of an exchange that each facet allows (length²).
-    fn allowed(&self, looks: &[FirstLook]) -> Vec<f64> {
-        let mut largest = vec![0.0_f64; looks.len()];
+    /// The size of each row.
+    fn row_sizes(&self, looks: &[FirstLook]) -> Vec<RowSize> {
+        let mut sizes = vec![RowSize::default(); looks.len()];
         for (row, look) in looks.iter().enumerate() {
             for (column, exchange) in look.pairs.iter() {
-                largest[row] = largest[row].max(exchange);
-                largest[column] = largest[column].max(exchange);
+                sizes[row].take(exchange);
+                sizes[column].take(exchange);
             }
         }
-        largest.into_iter().map(|largest| self.eps * largest).collect()
+        sizes
     }
 
-    /// As many segments as the pairs need of which a part is hidden.
-    fn second_look(&self, row: usize, look: &FirstLook, allowed: &[f64]) -> SecondLook {
-        let mut found = SecondLook { pairs: Vec::with_capacity(look.whole.len()), segments: 0 };
-        for (column, whole) in look.pairs.mixed_columns().zip(&look.whole) {
+    /// Segments of a pair of this share of a row, where all agree.
+    fn closer(&self, share: f64) -> u64 {
+        let most = ((MOST * self.first) as f64).max(self.eps.recip());
+        (most * (share / LARGE).min(1.0)) as u64
+    }
+
+    /// As many segments as the pairs need that the first ones leave open, or that matter in a row.
+    fn second_look(&self, row: usize, look: &FirstLook, sizes: &[RowSize]) -> SecondLook {
+        let mut found = SecondLook::default();
+        let mut open = look.pairs.open_places().zip(&look.whole).peekable();
+        for (place, (column, exchange)) in look.pairs.iter().enumerate() {
             check_interrupt();
-            let mut segments = self.segments(row, column);
-            // The first ones are among them: they do not agree.
-            segments.send(FEWEST.max(self.first));
-            let needed = segments.needed(allowed[row].min(allowed[column]) / whole);
-            segments.send(needed.min((MOST * self.first) as f64) as u64);
-            found.segments += segments.sent();
-            let (part, variance) = (segments.part() as f32, segments.variance() as f32);
-            found.pairs.push(MixedPair { whole: *whole, part, variance });
+            let known = open.next_if(|(other, _)| *other as usize == place);
+            let whole = known.map_or(exchange, |(_, whole)| *whole);
+            let ends = [sizes[row], sizes[column]];
+            let closer =
+                self.closer(ends.map(|size| whole / size.sum.max(whole)).into_iter().fold(0.0, f64::max));
+            if known.is_none() && closer <= self.first {
+                continue;
+            }
+            let certain = known.is_none() && closer >= MOST * self.first && self.is_clear(row, column);
+            let pair = if certain {
+                MixedPair { whole, part: 1.0, variance: 0.0 }
+            } else {
+                let allowed = self.eps * ends[0].largest.min(ends[1].largest);
+                let (pair, segments) = self.look_again([row, column], whole, closer, allowed);
+                found.segments += segments;
+                pair
+            };
+            let is_seen = pair.part >= 1.0;
+            found.partly_hidden += usize::from(!is_seen && pair.part > 0.0);
+            let is_contour =
+                || self.facets[row].sight_of(&self.facets[column]).is_some_and(|sight| !sight.is_far);
+            found.no_longer_exact += usize::from(known.is_none() && !is_seen && is_contour());
+            found.places.push(place as u32);
+            found.pairs.push(pair);
         }
         found
+    }
+
+    /// A pair by so many segments at the least where all agree, or as many as this error needs (length²); and their
+    /// number.
+    fn look_again(
+        &self,
+        [row, column]: [usize; 2],
+        whole: f64,
+        closer: u64,
+        allowed: f64,
+    ) -> (MixedPair, u64) {
+        let most = MOST * self.first;
+        let mut segments = self.segments(row, column);
+        segments.send(FEWEST.max(self.first));
+        while segments.carrying() < FEWEST as f64 && segments.sent() < most {
+            segments.send((2 * segments.sent()).min(most));
+        }
+        if segments.agree() {
+            segments.send(closer);
+        }
+        if !segments.agree() {
+            segments.send(segments.needed(allowed / whole).min(most as f64) as u64);
+        }
+        let (part, variance) = (segments.part() as f32, segments.variance() as f32);
+        (MixedPair { whole, part, variance }, segments.sent())
+    }
+
+    /// Whether nothing can stand between two facets.
+    fn is_clear(&self, row: usize, column: usize) -> bool {
+        let surfaces = [row, column].map(|facet| self.elements.list()[facet].surface);
+        let [own, other] = [row, column].map(|facet| &self.facets[facet].hull);
+        self.visibility.some_candidates(own, other, surfaces, 1).is_empty()
     }
 
     fn segments(&self, row: usize, column: usize) -> Segments<'_> {
@@ -243,16 +321,16 @@ impl<'a> FacetTransport<'a> {
     }
 }
 
+impl RowSize {
+    fn take(&mut self, exchange: f64) {
+        self.largest = self.largest.max(exchange);
+        self.sum += exchange;
+    }
+}
+
 impl Counts {
     fn add(&mut self, other: &Self) {
-        let (own, more) = (&mut self.pairs, &other.pairs);
-        own.total += more.total;
-        own.skipped_behind += more.skipped_behind;
-        own.skipped_hidden += more.skipped_hidden;
-        own.skipped_black += more.skipped_black;
-        own.contour += more.contour;
-        own.separated += more.separated;
-        own.partly_hidden += more.partly_hidden;
+        self.pairs.add(&other.pairs);
         self.samples += other.samples;
         self.segments += other.segments;
         self.exact += other.exact;
@@ -260,10 +338,11 @@ impl Counts {
 }
 
 impl FirstLook {
-    /// Takes a pair of which the first segments tell this.
-    fn take(&mut self, column: usize, whole: f64, is_far: bool, segments: &Segments) {
+    /// Takes a pair of which the first segments tell this; where it `matters` in a row, it is not hidden by these alone.
+    fn take(&mut self, column: usize, whole: f64, is_far: bool, matters: bool, segments: &Segments) {
         let counts = &mut self.counts.pairs;
-        if segments.are_none_free() {
+        let are_few = segments.carrying() < FEWEST_FIRST;
+        if segments.are_none_free() && !are_few && !matters {
             counts.skipped_hidden += 1;
             return;
         }
@@ -271,12 +350,11 @@ impl FirstLook {
             true => counts.separated += 1,
             false => counts.contour += 1,
         }
-        if segments.are_all_free() {
+        if segments.are_all_free() && !are_few {
             self.counts.exact += usize::from(!is_far);
             return self.pairs.push(column, whole);
         }
-        counts.partly_hidden += 1;
-        self.pairs.push_mixed(column, whole * segments.part());
+        self.pairs.push_open(column, whole * segments.part());
         self.whole.push(whole);
     }
 }

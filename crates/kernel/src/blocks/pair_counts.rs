@@ -48,6 +48,26 @@ impl PairCounts {
         self.same + self.edge + self.vertex + self.contact + self.split + self.separated + self.contour
     }
 
+    /// Adds the counts of other pairs.
+    pub fn add(&mut self, other: &Self) {
+        self.total += other.total;
+        self.skipped_behind += other.skipped_behind;
+        self.skipped_coplanar += other.skipped_coplanar;
+        self.skipped_hidden += other.skipped_hidden;
+        self.skipped_black += other.skipped_black;
+        self.repeated += other.repeated;
+        self.same += other.same;
+        self.edge += other.edge;
+        self.vertex += other.vertex;
+        self.contact += other.contact;
+        self.split += other.split;
+        self.separated += other.separated;
+        self.contour += other.contour;
+        self.partly_hidden += other.partly_hidden;
+        self.unresolved += other.unresolved;
+        self.by_rays += other.by_rays;
+    }
+
     /// Counts one more pair whose block was integrated or copied.
     pub fn take(&mut self, block: &BlockReport) {
         let counter = match block.kind {

@@ -8,8 +8,8 @@
 //!
 //! about the largest of m normal errors as large as the largest ones. Pairs of which a part is hidden have their own
 //! errors. Pairs that were taken to be seen or hidden wholly, and are not, err as those found tell that stand for them:
-//! half of that by the row of these, half by all rows, as a row may have found none. To the square is added that of
-//! points, which tell what nothing hides.
+//! half of that by the row of these, half by all rows, as a row may have found none. To the square are added that of
+//! points, which tell what nothing hides, and that of the largest part by which segments that agree may be wrong.
 
 use radiosity_transport::{FacetTransport, MixedPair, RowPairs};
 
@@ -22,6 +22,23 @@ const BY_OWN_ROW: f64 = 0.5;
 #[derive(Clone, Debug)]
 pub(super) struct FacetErrors {
     rows: Vec<Powers>,
+    agreed: Vec<Agreed>,
+}
+
+/// Errors of pairs whose segments agree, at the most.
+#[derive(Clone, Copy, Debug, Default)]
+struct Agreed {
+    /// The largest of them (length²).
+    largest: f64,
+    /// The sum of their squares (length⁴).
+    square: f64,
+}
+
+impl Agreed {
+    fn take(&mut self, error: f64) {
+        self.largest = self.largest.max(error);
+        self.square += error * error;
+    }
 }
 
 /// Sums of squares and of fourth powers (length⁴, length⁸).
@@ -37,7 +54,7 @@ impl Powers {
         self.fourth += factor * other.fourth;
     }
 
-    /// Those of the pairs that one of a known part stands for, which the `first` segments missed.
+    /// Powers of the pairs that one of a known part stands for, which the `first` segments missed.
     fn missed(pair: &MixedPair, first: u64) -> Self {
         let (v, first) = (f64::from(pair.part), first as i32);
         if v <= 0.0 || v >= 1.0 {
@@ -51,7 +68,7 @@ impl Powers {
         Self { square: mean(2), fourth: mean(4) }
     }
 
-    /// Those of the error of a pair.
+    /// Powers of the error of a pair.
     fn known(pair: &MixedPair) -> Self {
         let square = pair.whole * pair.whole * f64::from(pair.variance);
         Self { square, fourth: 3.0 * square * square }
@@ -62,13 +79,23 @@ impl FacetErrors {
     /// The errors of these rows of pairs, about which so many segments decided first.
     pub(super) fn of(rows: &[RowPairs], first: u64) -> Self {
         let nothing = || vec![Powers::default(); rows.len()];
-        let [mut sums, mut missed, mut sizes] = [(); 3].map(|()| nothing());
+        let (mut sums, mut missed, mut sizes) = (nothing(), nothing(), nothing());
+        let mut agreed = vec![Agreed::default(); rows.len()];
+        let unknown = 1.0 / (first as f64 + 2.0);
         for (row, pairs) in rows.iter().enumerate() {
             for (column, pair) in pairs.mixed() {
+                if pair.part <= 0.0 || pair.part >= 1.0 {
+                    let error = pair.whole * f64::from(pair.variance).sqrt();
+                    [row, column].iter().for_each(|end| agreed[*end].take(error));
+                    continue;
+                }
                 for end in [row, column] {
                     sums[end].add(Powers::known(pair), 1.0);
                     missed[end].add(Powers::missed(pair, first), 1.0);
                 }
+            }
+            for (column, exchange) in pairs.decided() {
+                [row, column].iter().for_each(|end| agreed[*end].take(exchange * unknown));
             }
             for (column, exchange) in pairs.iter() {
                 let square = exchange * exchange;
@@ -91,23 +118,23 @@ impl FacetErrors {
             sum.add(*missed, BY_OWN_ROW);
             sum.add(Powers { square: squares * size.square, fourth: fourths * size.fourth }, 1.0);
         }
-        Self { rows: sums }
+        Self { rows: sums, agreed }
     }
 
     /// About the largest error of a factor of each surface of these areas, whose largest exchanges these are.
     pub(super) fn largest(&self, areas: &[f64], exchanges: &[f64]) -> Vec<f64> {
-        let error = |((sums, area), exchange): ((&Powers, &f64), &f64)| {
-            (largest(sums) / area)
-                .hypot(FacetTransport::error_of_points() * exchange / area)
-                .max(f64::EPSILON)
+        let error = |row: usize| {
+            let known = largest(&self.rows[row]).hypot(self.agreed[row].largest);
+            let by_points = FacetTransport::error_of_points() * exchanges[row];
+            (known.hypot(by_points) / areas[row]).max(f64::EPSILON)
         };
-        self.rows.iter().zip(areas).zip(exchanges).map(error).collect()
+        (0..areas.len()).map(error).collect()
     }
 
     /// About the largest error of the row sums of surfaces of these areas.
     pub(super) fn of_sums(&self, areas: &[f64]) -> f64 {
-        let error = |(sums, area): (&Powers, &f64)| sums.square.sqrt() / area;
-        let largest = self.rows.iter().zip(areas).map(error).fold(0.0, f64::max);
+        let error = |row: usize| (self.rows[row].square + self.agreed[row].square).sqrt() / areas[row];
+        let largest = (0..areas.len()).map(error).fold(0.0, f64::max);
         largest.hypot(FacetTransport::error_of_points())
     }
 }

@@ -24,14 +24,16 @@ const THIRDS: [[f64; 2]; 3] = [[1.0 / 6.0, 1.0 / 6.0], [2.0 / 3.0, 1.0 / 6.0], [
 pub(super) struct Facet {
     pub plane: Plane,
     /// Its corners.
-    hull: Vec<DVec3>,
+    pub hull: Vec<DVec3>,
+    /// Its area (length²).
+    pub area: f64,
     center: DVec3,
     /// Distance of the farthest corner from the centre.
     radius: f64,
     /// Height below which a point lies in its plane.
     flush: f64,
     nodes: Vec<FacetNode>,
-    area: AreaPreservingMap,
+    map: AreaPreservingMap,
     /// Shift of the points of its segments, where they start here, and where they end.
     shift: [f64; 4],
     /// The first of these points, where segments start here, and where they end.
@@ -67,18 +69,19 @@ impl Facet {
         let hull = element.hull.clone();
         let center = hull.iter().sum::<DVec3>() / hull.len() as f64;
         let radius = hull.iter().map(|corner| corner.distance(center)).fold(0.0, f64::max);
-        let (area, shift) = (AreaPreservingMap::over(element), shift(number));
+        let (map, shift) = (AreaPreservingMap::over(element), shift(number));
         let nodes = element.patches.iter().flat_map(nodes).collect();
-        let place = |end: End| (0..count).map(|index| point(&area, &shift, end, index)).collect();
+        let place = |end: End| (0..count).map(|index| point(&map, &shift, end, index)).collect();
         let first = [place(End::Start), place(End::Stop)];
         Some(Self {
             plane,
             hull,
+            area: element.area,
             center,
             radius,
             flush: touching(element.extent, 0.0),
             nodes,
-            area,
+            map,
             shift,
             first,
         })
@@ -128,16 +131,16 @@ impl Facet {
     pub(super) fn point(&self, end: End, index: u64) -> DVec3 {
         match self.first[end as usize].get(index as usize) {
             Some(point) => *point,
-            None => point(&self.area, &self.shift, end, index),
+            None => point(&self.map, &self.shift, end, index),
         }
     }
 }
 
 /// The end of a segment of this index.
-fn point(area: &AreaPreservingMap, shift: &[f64; 4], end: End, index: u64) -> DVec3 {
+fn point(map: &AreaPreservingMap, shift: &[f64; 4], end: End, index: u64) -> DVec3 {
     let [a, b, c, d] = shifted(kronecker::point(index), shift);
     let place = if end == End::Start { [a, b] } else { [c, d] };
-    area.point(place).node.position
+    map.point(place).node.position
 }
 
 /// The points of a flat patch.

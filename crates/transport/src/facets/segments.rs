@@ -51,9 +51,20 @@ impl<'a> Segments<'a> {
         self.sent
     }
 
+    /// Number of segments of one kernel that would tell as much as these do, by their spread; 0 where none carries
+    /// anything.
+    pub(super) fn carrying(&self) -> f64 {
+        if self.all > 0.0 { self.all * self.all / self.squares } else { 0.0 }
+    }
+
+    /// Whether all that carry something are free, or all are stopped.
+    pub(super) fn agree(&self) -> bool {
+        self.all > 0.0 && (self.free == self.all || self.free == 0.0)
+    }
+
     /// Whether nothing stops any that carries something.
     pub(super) fn are_all_free(&self) -> bool {
-        self.free == self.all
+        self.free == self.all && self.all > 0.0
     }
 
     /// Whether all that carry something are stopped.
@@ -61,15 +72,15 @@ impl<'a> Segments<'a> {
         self.free == 0.0 && self.all > 0.0
     }
 
-    /// The part v that nothing hides.
+    /// The part v that nothing hides; ½ where none carries anything.
     pub(super) fn part(&self) -> f64 {
-        if self.all > 0.0 { self.free / self.all } else { 1.0 }
+        if self.all > 0.0 { self.free / self.all } else { 0.5 }
     }
 
-    /// The variance of v.
+    /// The variance of v; where all agree, the square of the part by which they may be wrong, about.
     pub(super) fn variance(&self) -> f64 {
-        if self.all <= 0.0 {
-            return 0.0;
+        if self.all <= 0.0 || self.agree() {
+            return (self.carrying() + 2.0).powi(-2);
         }
         let v = self.part();
         let sum = (1.0 - 2.0 * v) * self.free_squares + v * v * self.squares;
