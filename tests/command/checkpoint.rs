@@ -248,7 +248,10 @@ fn transfers_serve_other_materials_and_temperatures() {
     refused(
         folder,
         &["view-factors", "room.toml", "--transfers", "kept"],
-        &["kept: these are no transfers between the surfaces", "choose a file that is not there yet"],
+        &[
+            "--transfers kept: these are no transfers between the surfaces",
+            "choose a file that is not there yet",
+        ],
     );
     refused(folder, &["heat", "oven", "--transfers", "lamp.ies"], &["lamp.ies: these are no transfers"]);
     refused(

@@ -98,7 +98,7 @@ pub(crate) enum CliError {
         cure: String,
     },
     /// A run cannot be recorded, or does not go on from what was recorded.
-    #[error("--checkpoint {0}")]
+    #[error("{} {0}", if .0.is_of_transfers() { "--transfers" } else { "--checkpoint" })]
     Checkpoint(#[from] JournalError),
     /// Standard output failed.
     #[error("standard output: {0}")]

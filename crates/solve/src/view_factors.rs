@@ -621,6 +621,51 @@ mod tests {
         }
     }
 
+    /// A plate, in the language of scenes.
+    fn plate(origin: [f64; 3], edge1: [f64; 3], edge2: [f64; 3], flip: bool) -> String {
+        format!(
+            "[[surfaces]]\nflip = {flip}\nparallelogram = {{ origin = {origin:?}, edge1 = {edge1:?}, edge2 = {edge2:?} }}\n"
+        )
+    }
+
+    /// Asserts that the factors between the first two of three plates, in many places far from each other, err by what
+    /// is told of them.
+    fn copies_err_by_what_they_tell(three: &dyn Fn(f64) -> String, exact: f64) {
+        let text: String = (0..100).map(|copy| three(100.0 * f64::from(copy))).collect();
+        let scene = radiosity_language::read(&radiosity_scene::Source::new("copies", &text)).expect("plates");
+        let options = Options { transport: Transport::Sampled, threads: 2, ..Options::default() };
+        let found = ViewFactors::new(&scene, &options, &Work::alone()).expect("all have area");
+        for first in (0..300).step_by(3) {
+            let (factor, told) = (found.factor(first, first + 1), found.errors[first]);
+            assert!((factor - exact).abs() <= 3.0 * told, "{first}: {factor} +- {told}, not {exact}");
+        }
+    }
+
+    /// A strip of a fiftieth of two squares between them, beside the first segments of many of them.
+    #[test]
+    fn strips_beside_the_first_segments_are_found() {
+        let (along, across) = ([1.0, 0.0, 0.0], [0.0, 1.0, 0.0]);
+        let three = |x: f64| {
+            plate([x, 0.0, 0.0], along, across, false)
+                + &plate([x, 0.0, 1.0], along, across, true)
+                + &plate([x + 0.5, 0.01, 0.5], [0.02, 0.0, 0.0], [0.0, 0.98, 0.0], false)
+        };
+        let scene =
+            radiosity_language::read(&radiosity_scene::Source::new("three", &three(0.0))).expect("plates");
+        copies_err_by_what_they_tell(&three, by(Transport::Exact, None, &scene).factor(0, 1));
+    }
+
+    /// A wall rises above a floor by a fiftieth of its height, and a fence hides that: most segments start behind.
+    #[test]
+    fn segments_that_carry_nothing_tell_nothing() {
+        let three = |x: f64| {
+            plate([x, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], false)
+                + &plate([x + 1.1, -1.0, -1.0], [0.0, 3.0, 0.0], [0.0, 0.0, 1.02], true)
+                + &plate([x + 1.05, -3.0, -0.5], [0.0, 7.0, 0.0], [0.0, 0.0, 0.6], false)
+        };
+        copies_err_by_what_they_tell(&three, 0.0);
+    }
+
     #[test]
     fn factors_by_rays_are_symmetric_and_close() {
         let scene = radiosity_language::builtin("empty-box").expect("it is built in");

@@ -435,6 +435,16 @@ mod tests {
         assert_eq!(fs::read(&path).expect("it is there"), bytes);
         let other = Ranks::alone().keeping_transfers(&path, 8).map(drop);
         assert!(matches!(other, Err(JournalError::OtherGeometry { .. })));
+        let zeros = folder.path().join("zeros");
+        fs::write(&zeros, [0; 4096]).expect("it can be written");
+        let other = Ranks::alone().keeping_transfers(&zeros, 7).map(drop);
+        assert!(matches!(other, Err(JournalError::OtherGeometry { .. })), "{other:?}");
+        assert_eq!(fs::read(&zeros).expect("it is there"), [0; 4096]);
+        let first = Ranks::alone().keeping_transfers(&path, 7).expect("nobody holds it");
+        let second = Ranks::alone().keeping_transfers(&path, 7).map(drop);
+        assert!(cfg!(windows) || matches!(second, Err(JournalError::Held { .. })), "{second:?}");
+        drop(first);
+        assert_eq!(transfers(&path, 3), [5, 0]);
         drop(Ranks::alone().keeping_transfers(&folder.path().join("unused"), 7).expect("it can be made"));
         assert!(!folder.path().join("unused").exists());
     }

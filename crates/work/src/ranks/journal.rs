@@ -23,6 +23,7 @@ mod error;
 mod fingerprint;
 mod record;
 mod header;
+mod held_file;
 mod writer;
 mod stored_pieces;
 mod folder;
@@ -42,7 +43,8 @@ pub use error::JournalError;
 use fingerprint::digest;
 pub use fingerprint::fingerprint;
 use folder::Folder;
-use header::Owner;
+use header::{HEADER, Owner};
+use held_file::HeldFile;
 use record::Key;
 use stored_pieces::StoredPieces;
 use writer::Writer;
@@ -119,15 +121,18 @@ impl Journal {
     /// # Errors
     /// One that cannot be read and written, or that holds something else.
     pub(super) fn of_transfers(path: &Path, surfaces: u64) -> Result<Self, JournalError> {
+        let held = HeldFile::open(path)?;
         let mut stored_pieces = StoredPieces::default();
-        if path.exists() {
-            match stored_pieces.add(path, surfaces).map_err(JournalError::of_transfers(path))? {
-                Owner::Own | Owner::Begun => {}
-                Owner::Earlier => return Err(JournalError::EarlierTransfers { path: path.to_owned() }),
-                Owner::Other => return Err(JournalError::OtherGeometry { path: path.to_owned() }),
-            }
+        let owner = stored_pieces.add(path, surfaces).map_err(JournalError::of_transfers(path))?;
+        let size = held.file.metadata().map_err(JournalError::of_transfers(path))?.len();
+        match owner {
+            Owner::Own => {}
+            Owner::Begun if size <= HEADER as u64 => {}
+            Owner::Earlier => return Err(JournalError::EarlierTransfers { path: path.to_owned() }),
+            // Zeros that go on are of somebody else.
+            Owner::Begun | Owner::Other => return Err(JournalError::OtherGeometry { path: path.to_owned() }),
         }
-        let writer = Writer::behind(stored_pieces.end(), path, surfaces);
+        let writer = Writer::behind(stored_pieces.end(), held, surfaces);
         Ok(Self {
             stored_pieces,
             recalled: AtomicU64::new(0),

@@ -38,6 +38,12 @@ pub enum JournalError {
         /// The file.
         path: PathBuf,
     },
+    /// Another run adds to the file of transfers.
+    #[error("{}: another run adds to these transfers now", path.display())]
+    Held {
+        /// The file.
+        path: PathBuf,
+    },
     /// A file of transfers cannot be read or written.
     #[error("{}: {source}", path.display())]
     Transfers {
@@ -67,8 +73,20 @@ impl JournalError {
                 "give the scene whose transfers are kept there, or choose a file that is not there yet"
             }
             Self::EarlierTransfers { .. } => "choose a file that is not there yet, or remove this one",
+            Self::Held { .. } => "wait until that run has ended, or give each run a file of its own",
             Self::Transfers { .. } => "choose a file that can be read and written, in a folder that exists",
             Self::Other { .. } => "give the scene and the options of that run, or choose another folder",
+        }
+    }
+
+    /// Whether it is about a file of transfers.
+    pub fn is_of_transfers(&self) -> bool {
+        match self {
+            Self::OtherGeometry { .. }
+            | Self::EarlierTransfers { .. }
+            | Self::Held { .. }
+            | Self::Transfers { .. } => true,
+            Self::File { .. } | Self::Used { .. } | Self::Earlier { .. } | Self::Other { .. } => false,
         }
     }
 

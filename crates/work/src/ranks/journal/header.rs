@@ -10,7 +10,7 @@ const FORMAT: u8 = b'2';
 
 /// Version of the pieces of runs, to be raised where those of one scene and options change their meaning, as
 /// coefficients do with the order of the functions of an element, or where parts are named or numbered anew.
-const PIECES: u32 = 6;
+const PIECES: u32 = 7;
 
 /// Bytes of a header.
 pub(super) const HEADER: usize = 20;

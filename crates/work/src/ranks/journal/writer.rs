@@ -8,6 +8,7 @@ use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 use super::header::header;
+use super::held_file::HeldFile;
 use super::record::{Key, record};
 
 /// Work of threads that a killed rank may lose because it was not handed to the system yet. Chosen.
@@ -46,13 +47,13 @@ impl Writer {
         Self::to(file, path, true).beginning(fingerprint)
     }
 
-    /// The file at `path` behind its first `end` bytes, which are whole; 0 where it holds nothing yet.
+    /// The file that is `held`, behind its first `end` bytes, which are whole; 0 where it holds nothing yet.
     ///
     /// # Errors
     /// One that cannot be written.
-    pub(super) fn behind(end: u64, path: &Path, fingerprint: u64) -> io::Result<Self> {
-        let is_new = !path.exists();
-        let mut file = OpenOptions::new().write(true).create(true).truncate(false).open(path)?;
+    pub(super) fn behind(end: u64, held: HeldFile, fingerprint: u64) -> io::Result<Self> {
+        let HeldFile { mut file, path, is_new } = held;
+        let path = path.as_path();
         if end > 0 {
             file.set_len(end)?;
             file.seek(SeekFrom::Start(end))?;
