@@ -98,11 +98,16 @@ pub(crate) enum CliError {
         cure: String,
     },
     /// A run cannot be recorded, or does not go on from what was recorded.
-    #[error("{} {0}", if .0.is_of_transfers() { "--transfers" } else { "--checkpoint" })]
+    #[error("{option} {0}", option = option(.0))]
     Checkpoint(#[from] JournalError),
     /// Standard output failed.
     #[error("standard output: {0}")]
     Stdout(#[from] io::Error),
+}
+
+/// The option that an error is about.
+fn option(error: &JournalError) -> &'static str {
+    if error.is_of_transfers() { "--transfers" } else { "--checkpoint" }
 }
 
 impl From<HeatError> for CliError {
