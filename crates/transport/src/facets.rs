@@ -17,9 +17,10 @@
 //! and by that part of the whole the exchange may err. A pair that matters in a row has more segments, in proportion to
 //! its share of it.
 //!
-//! Pairs of which a part is hidden, and all of the first segments agree, are missed. A pair of a known part v, neither
-//! 0 nor 1, would have been missed with the probabilities vᵏ, as wholly seen, and (1 − v)ᵏ, as wholly hidden, and stands
-//! for p/(1 − p) pairs that were (D. Horvitz, D. Thompson, *J. Am. Stat. Assoc.* 47 (1952) 663-685).
+//! Pairs of which a part is hidden, and all of the first segments agree, are missed. A pair of a known part v,
+//! neither 0 nor 1, would have been missed with the probabilities vᵏ, as wholly seen, and (1 − v)ᵏ, as wholly
+//! hidden, and stands for p/(1 − p) pairs that were (D. Horvitz, D. Thompson, *J. Am. Stat. Assoc.* 47 (1952)
+//! 663-685).
 
 mod facet;
 mod segments;
@@ -125,9 +126,9 @@ struct SecondLook {
     places: Vec<u32>,
     pairs: Vec<MixedPair>,
     segments: u64,
-    /// Those of which a part is hidden.
+    /// Pairs of which a part is hidden.
     partly_hidden: usize,
-    /// Those by contours that had counted as seen wholly, and are not.
+    /// Pairs by contours that had counted as seen wholly, and are not.
     no_longer_exact: usize,
 }
 
@@ -338,7 +339,8 @@ impl Counts {
 }
 
 impl FirstLook {
-    /// Takes a pair of which the first segments tell this; where it `matters` in a row, it is not hidden by these alone.
+    /// Takes a pair of which the first segments tell this; where it `matters` in a row, it is not hidden by these
+    /// alone.
     fn take(&mut self, column: usize, whole: f64, is_far: bool, matters: bool, segments: &Segments) {
         let counts = &mut self.counts.pairs;
         let are_few = segments.carrying() < FEWEST_FIRST;

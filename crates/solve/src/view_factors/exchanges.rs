@@ -106,7 +106,7 @@ impl Exchanges {
         })
     }
 
-    /// What `add` makes, for each surface, of all its exchanges, one after the other, from `start` on.
+    /// Folds the exchanges of each surface with `add`, one after the other, from `start` on.
     fn folded(&self, start: f64, add: impl Fn(f64, f64) -> f64) -> Vec<f64> {
         let mut all = vec![start; self.rows.len()];
         for (i, row) in self.rows.iter().enumerate() {

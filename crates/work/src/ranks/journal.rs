@@ -144,7 +144,7 @@ impl Journal {
     }
 
     /// Whether it keeps transfers alone.
-    pub fn is_of_transfers(&self) -> bool {
+    pub(super) fn is_of_transfers(&self) -> bool {
         self.surfaces.is_some()
     }
 
