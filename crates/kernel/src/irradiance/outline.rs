@@ -45,7 +45,7 @@ pub enum Piece {
     Arc(Arc),
 }
 
-/// An arc of a circle, center + cos ψ · axes[0] + sin ψ · axes[1].
+/// An arc of a circle, center + cos ψ · a + sin ψ · b with a and b of `axes`.
 #[derive(Clone, Copy, Debug)]
 pub struct Arc {
     /// Centre of the circle.
