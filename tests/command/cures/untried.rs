@@ -68,6 +68,7 @@ pub(super) const UNTRIED: &[Untried] = &[
     Untried { words: "there is no memory or no time to cut", why: Why::Machine },
     Untried { words: "the next finer run", why: Why::Machine },
     Untried { words: "the run was stopped", why: Why::Machine },
+    Untried { words: "wait until that run has ended", why: Why::Machine },
     Untried { words: "cannot start {threads} threads", why: Why::Machine },
     Untried { words: "ask for one of these, or", why: Why::Machine },
     Untried { words: "the solver cg", why: Why::Machine },

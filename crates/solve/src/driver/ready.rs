@@ -65,12 +65,11 @@ impl Ready {
             || work.during(Stage::Visibility, || plan.decided(scene, options, Allowance::of(work, options)));
         let decisions = timed(&mut seconds.visibility, decide);
         let elements_before = before.and_then(|kept| kept.blocks.elements());
-        // Scenes that follow need as much as the first one.
-        if elements_before.is_none() {
-            let require = || decisions.require_memory(scene, options, before.is_some(), work.ranks);
-            work.during(Stage::Elements, require)?;
-        }
         let cut = || {
+            // Scenes that follow need as much as the first one.
+            if elements_before.is_none() {
+                decisions.require_memory(scene, options, before.is_some(), work.ranks)?;
+            }
             let elements = elements(scene, &decisions, elements_before)?;
             let subspace = subspace(scene, options, &elements);
             Ok::<_, Failure>((elements, subspace))
