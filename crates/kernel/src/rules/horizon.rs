@@ -453,7 +453,7 @@ impl Job<'_> {
         let columns = self.columns;
         let zeros = vec![0.0; self.outer.basis.len() * columns];
         let mut largest = seen.iter().step_by(columns).fold(0.0f64, |most, w| most.max(w.abs()));
-        let mut terms = Vec::new();
+        let mut terms = [0.0; 2];
         for Place { direction, at, area } in margin::places(points, nodes) {
             let node = patch.node(at[0], at[1]);
             let mut off = margin::interpolated(points, seen, columns, at);
@@ -463,13 +463,9 @@ impl Job<'_> {
             off.iter_mut().zip(&right).for_each(|(off, w)| *off -= w);
             let mut moments = zeros.clone();
             self.add_product(&WeightedNode { node, weight: area }, &off, &mut moments);
-            terms.push((direction, off[0].abs(), self.norm.difference(&moments, &zeros)));
+            terms[direction] += off[0].abs() * self.norm.difference(&moments, &zeros);
         }
-        let mut missed = [0.0; 2];
-        for (direction, off, most) in terms {
-            missed[direction] += most * margin::share(off, largest);
-        }
-        missed
+        terms.map(|term| if largest > 0.0 { term / largest } else { 0.0 })
     }
 
     /// Sums over the points of a rule.

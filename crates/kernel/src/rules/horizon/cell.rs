@@ -4,15 +4,16 @@
 //! the whole although all are wrong. Hence both directions are tested. In the direction d,
 //!
 //! ```text
-//! e_d = ‖ M(first half) + M(second half) − M(whole) ‖ ,     error = ¼ e_d + e_d′ + m + missed ,
+//! e_d = ‖ M(first half) + M(second half) − M(whole) ‖ ,     error = ¼ e_d + e_d′ + m_d + m_d′ + missed ,
 //! ```
 //!
 //! where the halves have ⌈¾ n⌉ points in the direction d, 3 at least, and the moments of the cell are those
 //! of its halves in the direction d of the larger e among those that were halved. ¼ is 2⁻³, the ratio at a
 //! kink of second order, doubled for the position of the kink. The error known in one direction is kept when
-//! the other is halved: each half inherits half of it. m is the error of the margins of both
-//! halves (`margin`). `missed` is 0 unless no point of any rule sees anything; then it is 0.05 of the largest
-//! entry that the cell would have if all its points saw as much as its best corner.
+//! the other is halved: each half inherits half of it. m_d is that of the halves' margins across the direction d, of the
+//! whole where these are unknown (`margin`). `missed` is 0 unless no point of any rule sees
+//! anything; then it is 0.05 of the largest entry that the cell would have if all its points saw as much as
+//! its best corner.
 
 use std::cmp::Ordering;
 
@@ -100,20 +101,23 @@ impl Cell {
         match self.better() {
             Some(direction) => {
                 let differences = ERROR_OF_HALVES * self.errors[direction] + self.errors[1 - direction];
-                differences + self.halves[direction].as_ref().map_or(0.0, in_margins) + self.missed
+                differences + self.in_margins(0) + self.in_margins(1) + self.missed
             }
             None => f64::INFINITY,
         }
     }
 
-    /// Error that halving in a direction may take away: a corner may be off for either direction, and only
-    /// halves tell for which.
+    /// Error that cells halved in a direction may lose.
     fn worth(&self, direction: usize) -> f64 {
-        let margins = match &self.halves[direction] {
-            Some(halves) => (self.whole.in_margins() - in_margins(halves)).max(0.0),
+        self.errors[direction] + self.in_margins(direction)
+    }
+
+    /// Error of the margins across a direction.
+    fn in_margins(&self, direction: usize) -> f64 {
+        match &self.halves[direction] {
+            Some(halves) => halves.iter().map(|half| half.missed[direction]).sum(),
             None => self.whole.missed[direction],
-        };
-        self.errors[direction] + margins
+        }
     }
 
     /// A direction whose error is inherited.
@@ -161,17 +165,6 @@ impl Cell {
         let known = |direction: &usize| self.halves[*direction].is_some();
         [0, 1].into_iter().filter(known).max_by(|a, b| self.errors[*a].total_cmp(&self.errors[*b]))
     }
-}
-
-impl Whole {
-    /// Error of all margins.
-    fn in_margins(&self) -> f64 {
-        self.missed.iter().sum()
-    }
-}
-
-fn in_margins(halves: &[Whole; 2]) -> f64 {
-    halves.iter().map(Whole::in_margins).sum()
 }
 
 fn sum(halves: &[Whole; 2]) -> Vec<f64> {

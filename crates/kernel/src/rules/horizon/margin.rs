@@ -7,7 +7,7 @@
 //! with I W, which interpolates W at the points of the rule:
 //!
 //! ```text
-//! missed = ½ Σ w ‖ L_k δ_l ‖ min(1, 4 |δ₀| / max |W₀|) ,     δ_l = W_l − I W_l ,
+//! missed = ½ Σ w ‖ L_k δ_l ‖ |δ₀| / max |W₀| ,     δ_l = W_l − I W_l ,
 //! ```
 //!
 //! with w the weight of the row of points next to the side in its middle, of the point next to the corner at
@@ -25,9 +25,6 @@ const INSIDE: f64 = 1e-3;
 
 /// Part of the weight of a row that lies beyond its points.
 const BEYOND: f64 = 0.5;
-
-/// Factor of the difference, over the largest value: what is a quarter of it off is no rest of a smooth function.
-const FALL: f64 = 4.0;
 
 /// A place next to a side.
 pub(super) struct Place {
@@ -62,11 +59,6 @@ pub(super) fn places(points: [usize; 2], nodes: &[WeightedNode]) -> Vec<Place> {
         }
     }
     places
-}
-
-/// Share of a difference of `off` from the interpolated value that counts, of values up to `largest`.
-pub(super) fn share(off: f64, largest: f64) -> f64 {
-    if off > 0.0 { (FALL * off / largest).min(1.0) } else { 0.0 }
 }
 
 /// The polynomial through values at the points of a tensor rule, `columns` for each of them, at a place.
