@@ -4,14 +4,13 @@
 //! the whole although all are wrong. Hence both directions are tested. In the direction d,
 //!
 //! ```text
-//! e_d = ‖ M(first half) + M(second half) − M(whole) ‖ ,     error = ¼ e_d + e_d′ + m_d + m_d′ + missed ,
+//! e_d = ‖ M(first half) + M(second half) − M(whole) ‖ ,     error = ¼ e_d + e_d′ + missed ,
 //! ```
 //!
 //! where the halves have ⌈¾ n⌉ points in the direction d, 3 at least, and the moments of the cell are those
 //! of its halves in the direction d of the larger e among those that were halved. ¼ is 2⁻³, the ratio at a
 //! kink of second order, doubled for the position of the kink. The error known in one direction is kept when
-//! the other is halved: each half inherits half of it. m_d is that of the halves' margins across the direction d, of the
-//! whole where these are unknown (`margin`). `missed` is 0 unless no point of any rule sees
+//! the other is halved: each half inherits half of it. `missed` is 0 unless no point of any rule sees
 //! anything; then it is 0.05 of the largest entry that the cell would have if all its points saw as much as
 //! its best corner.
 
@@ -37,8 +36,6 @@ pub(super) struct Whole {
     pub points: [usize; 2],
     pub moments: Vec<f64>,
     pub is_dark: bool,
-    /// Estimates of what the rule misses in the margins across either direction.
-    pub missed: [f64; 2],
 }
 
 /// A part of the outer patch.
@@ -88,7 +85,7 @@ impl Cell {
     /// The direction of the larger error, and whether its halves are known.
     pub(super) fn worse(&self) -> (usize, bool) {
         let [along, across] = self.whole.patch.extents();
-        let direction = match self.worth(0).total_cmp(&self.worth(1)) {
+        let direction = match self.errors[0].total_cmp(&self.errors[1]) {
             Ordering::Greater => 0,
             Ordering::Less => 1,
             Ordering::Equal => usize::from(across > along),
@@ -100,23 +97,9 @@ impl Cell {
     pub(super) fn error(&self) -> f64 {
         match self.better() {
             Some(direction) => {
-                let differences = ERROR_OF_HALVES * self.errors[direction] + self.errors[1 - direction];
-                differences + self.in_margins(0) + self.in_margins(1) + self.missed
+                ERROR_OF_HALVES * self.errors[direction] + self.errors[1 - direction] + self.missed
             }
             None => f64::INFINITY,
-        }
-    }
-
-    /// Error that cells halved in a direction may lose.
-    fn worth(&self, direction: usize) -> f64 {
-        self.errors[direction] + self.in_margins(direction)
-    }
-
-    /// Error of the margins across a direction.
-    fn in_margins(&self, direction: usize) -> f64 {
-        match &self.halves[direction] {
-            Some(halves) => halves.iter().map(|half| half.missed[direction]).sum(),
-            None => self.whole.missed[direction],
         }
     }
 

@@ -6,7 +6,7 @@
 //!
 //! * a polygon, under any polynomial ([`Inner::Flat`]);
 //! * a part of a cylinder, a cone, a disk or a ring, or a whole ball, that carries a constant
-//!   ([`Inner::Swept`], [`Inner::Ball`]),
+//!   ([`Inner::Swept`], [`Inner::Zone`]),
 //!
 //! is smooth up to the contact. The outer integral is that over the parts of the other element, in cells that
 //! shrink toward the contact where they have to.
@@ -29,7 +29,6 @@ use radiosity_kernel::rules::horizon;
 use radiosity_kernel::rules::horizon::{Cut, Inner, Side};
 use radiosity_kernel::rules::zone::Zone;
 use radiosity_work::interruption::check_interrupt;
-use smallvec::SmallVec;
 
 use crate::pair::job::Job;
 
@@ -53,14 +52,6 @@ const POINTS: usize = 16;
 /// Cosine of the angle between the normals at a common point below which parts touch tangentially (18°):
 /// there the integrand of the rules of common edges and corners is nearly as singular as before.
 const TANGENTIAL: f64 = -0.95;
-
-/// Places on sides of curved parts where contacts are looked for, and a step from there to the next point.
-const SAMPLES: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
-const STEP: f64 = 0.02;
-
-/// Height of that point over a flat part, over the step's length, below which the side leaves along the part:
-/// the rule of a common corner takes directions for apart. An arc of a right angle has 0.016.
-const ALONG: f64 = 0.1;
 
 /// How two parts lie to each other.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -99,7 +90,8 @@ impl<'a> Seen<'a> {
         match self {
             Self::Polygon => Inner::Flat(parts, eps),
             Self::Swept(swept, plane) => Inner::Swept(swept, *plane),
-            Self::Ball(zone) => Inner::Ball(zone),
+            // The sum over a whole ball is a closed form, without points.
+            Self::Ball(zone) => Inner::Zone(zone, [1; 2]),
         }
     }
 }
@@ -156,46 +148,33 @@ impl<'a> Job<'a> {
             return Meeting::Away;
         }
         let extent = part.longest().1.min(other.longest().1);
-        let contact = Contact::of(part, other, self.tolerance);
-        match contact {
+        match Contact::of(part, other, self.tolerance) {
             Contact::Apart(_) if gap(part, other) >= SMALLEST_RATIO * extent => Meeting::Apart,
             Contact::Apart(_) | Contact::Tip(_) => Meeting::Near,
             _ if self.touch_tangentially([part, other]) || self.touch_tangentially([other, part]) => {
                 Meeting::Near
             }
-            _ if self.stands_on([part, other], &contact) || self.stands_on([other, part], &contact) => {
-                Meeting::Near
-            }
+            _ if self.stands_amid([part, other]) || self.stands_amid([other, part]) => Meeting::Near,
             _ => Meeting::ByRule,
         }
     }
 
     /// Whether a side of a curved part meets a flat one inside of its border, as that of a can which stands
-    /// on a floor, or leaves a place on it along its plane, as the rim of a disk that stands on a floor.
-    fn stands_on(&self, [part, other]: [&Patch; 2], contact: &Contact) -> bool {
-        if part.is_flat() || !other.is_flat() || matches!(contact, Contact::Edge { .. }) {
+    /// on a floor.
+    fn stands_amid(&self, [part, other]: [&Patch; 2]) -> bool {
+        if part.is_flat() || !other.is_flat() {
             return false;
         }
         let polygon = other.polygon();
-        let height = |x: DVec3| point_to_polygon(x, &polygon);
-        let is_amid = |x: DVec3| sides(&polygon).all(|side| distance_to_segment(x, side) > self.tolerance);
-        let cuts: SmallVec<[f64; 2]> = match contact {
-            Contact::Cut(cuts) => cuts.iter().flatten().map(|cut| cut.at).collect(),
-            _ => SmallVec::new(),
+        let is_amid = |x: DVec3| {
+            point_to_polygon(x, &polygon) <= self.tolerance
+                && sides(&polygon).all(|side| distance_to_segment(x, side) > self.tolerance)
         };
-        let is_met = |side: &dyn Fn(f64) -> DVec3, t: f64| {
-            let x = side(t);
-            let leaves = |next: f64| {
-                let step = height(side(next));
-                step > self.tolerance && step <= ALONG * side(next).distance(x)
-            };
-            let steps = [t - STEP, t + STEP].into_iter().filter(|next| (0.0..=1.0).contains(next));
-            height(x) <= self.tolerance && (is_amid(x) || steps.clone().any(leaves))
-        };
-        let at = |s: f64, t: f64| part.node(s, t).position;
-        let all: [&dyn Fn(f64) -> DVec3; 4] =
-            [&|s| at(s, 0.0), &|t| at(1.0, t), &|s| at(s, 1.0), &|t| at(0.0, t)];
-        all.into_iter().any(|side| SAMPLES.iter().chain(&cuts).any(|t| is_met(side, *t)))
+        [0.25, 0.5, 0.75].into_iter().any(|t| {
+            [(t, 0.0), (1.0, t), (t, 1.0), (0.0, t)]
+                .into_iter()
+                .any(|(s, t)| is_amid(part.node(s, t).position))
+        })
     }
 
     /// Whether a corner of a curved part lies on another one, with its normal against that one's.
