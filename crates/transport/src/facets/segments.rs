@@ -59,7 +59,7 @@ impl<'a> Segments<'a> {
 
     /// Whether all that carry something are free, or all are stopped.
     pub(super) fn agree(&self) -> bool {
-        self.all > 0.0 && (self.free == self.all || self.free == 0.0)
+        self.are_all_free() || self.are_none_free()
     }
 
     /// Whether nothing stops any that carries something.
