@@ -181,6 +181,11 @@ impl Checked {
         self.finding.is_some()
     }
 
+    /// Whether more was found than the method's own estimates tell, by chance in one of forty right runs.
+    pub fn doubts(&self) -> bool {
+        self.missed_rms > 0.0 || self.finds_more()
+    }
+
     /// Words on that, with the names of the places.
     pub fn finding(&self) -> Option<&str> {
         self.finding.as_deref()

@@ -70,7 +70,7 @@ impl Effort {
     }
 
     /// The effort of a second look: four times the walks, with other draws.
-    pub(crate) fn again(self) -> Self {
+    pub fn again(self) -> Self {
         Self { log: (self.log + MORE).min(MOST), seed: !self.seed }
     }
 
