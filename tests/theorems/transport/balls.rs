@@ -118,6 +118,26 @@ fn concentric_spheres_see_each_other_as_exactly_as_asked() {
     }
 }
 
+/// A ball anywhere within a sphere takes all that leaves it, by their areas, however narrow the gap: by a closed form, in
+/// sums that do not grow without an end.
+#[test]
+fn balls_within_spheres_are_known_at_any_gap() {
+    for (radius, off_centre) in [(0.2, 0.9), (0.9, 0.0), (0.99, 0.5), (0.999, 0.0), (0.999, 0.9)] {
+        let place = 0.6 * off_centre * (1.0 - radius);
+        let scene = scene(&format!(
+            "@sphere = {{ center = [{place},0,{place}], radius = {radius} }}\n\
+             @flip = true\nsphere = {{ center = [0,0,0], radius = 1 }}\n"
+        ));
+        let found = factors_of(&scene, Shadows::Auto, 1e-8, 1e-8);
+        let share = radius * radius;
+        for (from, to, exact) in [(0, 1, 1.0), (1, 0, share), (1, 1, 1.0 - share)] {
+            let off = (found.factor(from, to) - exact).abs();
+            assert!(off <= 3e-8, "radius {radius}, off by {place}, {from} to {to}: off by {off:.1e}");
+        }
+        assert!(found.rays == 0 && found.samples < 10_000_000, "{radius}: {} samples", found.samples);
+    }
+}
+
 /// A plate through a sphere parts it: of even light a share f² + (1 − f)² stays, f the share of its area above. What
 /// sticks out hides nothing more.
 #[test]

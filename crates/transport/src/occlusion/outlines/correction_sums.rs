@@ -7,6 +7,7 @@ use radiosity_elements::patch::{Direction, Node, Patch};
 use radiosity_elements::rule::UnitRule;
 use radiosity_geom::{Aabb, DVec2, DVec3, clip_polygon, polygon_area};
 use radiosity_kernel::contact::gap::point_to_polygon;
+use radiosity_kernel::irradiance::ball::ball;
 use radiosity_kernel::irradiance::visible_polygon::{inside_any, irradiance, irradiance_seen};
 use radiosity_kernel::moments::{Moments, Side};
 use radiosity_kernel::rules::far;
@@ -249,6 +250,12 @@ impl<'a> CorrectionSums<'a> {
 
     /// Adds ∫ κ(x, y) R_l(y) dA_y over what is hidden from x to `out`; returns how much is hidden.
     fn hidden(&mut self, x: &Node, blockers: &[usize], out: &mut [f64]) -> HiddenShare {
+        if let Some(hidden) = self.hidden_by_ball(x, blockers) {
+            out[0] += hidden;
+            (self.dark, self.hides) = (false, true);
+            self.samples += 1;
+            return HiddenShare::Part;
+        }
         let Correction { visibility, inner_shape, ball, ball_corners, .. } = self.correction;
         let shadows = visibility.shadows(blockers, x.position, ball, *ball_corners);
         let (any, everything) = match inner_shape {
@@ -262,6 +269,17 @@ impl<'a> CorrectionSums<'a> {
             (true, true) => HiddenShare::Everything,
             (true, false) => HiddenShare::Part,
         }
+    }
+
+    /// Within a whole sphere that carries a constant, the integral over what a single ball hides: every ray to the ball
+    /// would go on to the sphere. None elsewhere.
+    fn hidden_by_ball(&self, x: &Node, blockers: &[usize]) -> Option<f64> {
+        let Correction { visibility, inner, inner_shape, constant, .. } = self.correction;
+        let InnerShape::OfSphere(zone) = inner_shape else { return None };
+        let (center, radius) = visibility.only_ball(blockers)?;
+        let is_constant = zone.is_whole() && inner.basis.len() == 1;
+        let seen = if is_constant { ball(x.position, x.normal, center, radius) } else { None };
+        seen.map(|seen| constant * seen)
     }
 
     /// Whether anything is hidden, and whether all is that the point would see.
