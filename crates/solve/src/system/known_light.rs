@@ -20,6 +20,9 @@ use radiosity_kernel::Blocks;
 /// Part of a radiosity beside what is known below which it is rounding. Chosen: fifty roundings.
 const ROUNDING: f64 = 1e-14;
 
+/// Most v that are kept: their products with each other take some times as long as one with G. Chosen.
+const MOST: usize = 96;
+
 /// Passes of orthogonalisation: after the second a vector is orthogonal to rounding.
 const PASSES: usize = 2;
 
@@ -49,12 +52,16 @@ impl KnownLight {
         self.sent.is_empty()
     }
 
-    /// G times each of some radiosities, which are known from now on; what is known already is not multiplied.
+    /// G times each of some radiosities, which are known from now on where there is room; what is known already is not
+    /// multiplied.
     pub(crate) fn carried(&mut self, blocks: &Blocks, radiosities: &[Vec<f64>]) -> Vec<Vec<f64>> {
         let parts: Vec<Vec<f64>> = radiosities.iter().map(|own| self.parts_with_rest(own)).collect();
         let arrived = blocks.apply_to_each(&self.sent[self.arrived.len()..]);
         self.arrived.extend(arrived);
-        parts.iter().map(|parts| combined(parts, &self.arrived, blocks.dim())).collect()
+        let carried = parts.iter().map(|parts| combined(parts, &self.arrived, blocks.dim())).collect();
+        self.sent.truncate(MOST);
+        self.arrived.truncate(MOST);
+        carried
     }
 
     /// The parts of a radiosity along the v_k; what is beside them becomes another v_k.
