@@ -144,3 +144,72 @@ fn scaled(mut x: Vec<f64>, factor: f64) -> Vec<f64> {
 fn add_multiple(x: &[f64], factor: f64, y: &mut [f64]) {
     y.iter_mut().zip(x).for_each(|(y, x)| *y += factor * x);
 }
+
+#[cfg(test)]
+mod tests {
+    use radiosity_work::ranks::Ranks;
+
+    use super::*;
+
+    /// G of six elements of one coefficient, which sends on nine tenths of all at the most.
+    fn blocks() -> Blocks {
+        let mut blocks = Blocks::empty((0..=6).collect(), true, Ranks::alone());
+        for (row, column) in (0..6).flat_map(|row| (row + 1..6).map(move |column| (row, column))) {
+            blocks.push(row, column, &[0.06 * ((row + 2 * column) % 4) as f64]);
+        }
+        blocks
+    }
+
+    /// Light b of reflectances ρ, one element after the other, by so many reflections that nothing is left.
+    fn light(blocks: &Blocks, coating: &Coating) -> Vec<f64> {
+        (0..500).fold(coating.exitance.clone(), |light, _| {
+            let arrived = blocks.apply(&light);
+            let reflected = coating.reflected(blocks.starts(), &arrived);
+            coating.exitance.iter().zip(reflected).map(|(e, own)| e + own).collect()
+        })
+    }
+
+    fn coating(swept: f64, level: f64) -> Coating {
+        let exitance = vec![(1.0 - swept) * level, (1.0 - swept) * level, 0.3, 0.0, 0.1, 0.0];
+        Coating::constant(vec![swept, swept, 0.7, 0.4, 0.9, 1.0], exitance)
+    }
+
+    fn off(nearest: &NearestLight, right: &[f64]) -> f64 {
+        let differences = nearest.radiosity.iter().zip(right).map(|(own, right)| (own - right).abs());
+        differences.fold(0.0, f64::max)
+    }
+
+    #[test]
+    fn products_of_what_is_known_are_not_made_again() {
+        let blocks = blocks();
+        let mut known = KnownLight::default();
+        let [one, other] = [coating(0.2, 1.0), coating(0.8, 2.0)].map(|own| own.exitance);
+        known.carried(&blocks, &[one.clone(), other.clone()]);
+        let sum: Vec<f64> = one.iter().zip(&other).map(|(one, other)| 3.0 * one - 0.5 * other).collect();
+        let carried = known.carried(&blocks, &[sum.clone()]).remove(0);
+        assert_eq!(known.sent.len(), 2);
+        let right = blocks.apply(&sum);
+        assert!(carried.iter().zip(&right).all(|(own, right)| (own - right).abs() < 1e-14), "{carried:?}");
+    }
+
+    /// Two cases tell the light of any level; those of more reflectances that of another, the nearer the more they are.
+    #[test]
+    fn light_of_other_cases_is_found_with_what_it_leaves() {
+        let blocks = blocks();
+        let nearest = |cases: &[Coating], wanted: &Coating| {
+            let mut known = KnownLight::default();
+            let all: Vec<Vec<f64>> = cases.iter().map(|own| light(&blocks, own)).collect();
+            known.carried(&blocks, &all);
+            known.nearest(wanted, blocks.starts(), &[wanted.exitance.clone()]).remove(0)
+        };
+        let wanted = coating(0.2, 7.0);
+        let found = nearest(&[coating(0.2, 1.0), coating(0.2, 2.0)], &wanted);
+        assert!(found.residual < 1e-14 && off(&found, &light(&blocks, &wanted)) < 1e-13, "{found:?}");
+        let wanted = coating(0.45, 1.0);
+        let right = light(&blocks, &wanted);
+        let few = nearest(&[0.2, 0.8].map(|own| coating(own, 1.0)), &wanted);
+        let more = nearest(&[0.2, 0.35, 0.5, 0.8].map(|own| coating(own, 1.0)), &wanted);
+        assert!(few.residual > 1e3 * more.residual, "{few:?} {more:?}");
+        assert!(off(&few, &right) > 1e-5 && off(&more, &right) < 1e-6, "{few:?} {more:?}");
+    }
+}
