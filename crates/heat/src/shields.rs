@@ -18,7 +18,8 @@ use super::coats::{at_levels, group_of_shield};
 use super::figures::{areas, received};
 use super::roles::{Role, Roles};
 
-/// The scene `radiant` with its shields at their levels by the light of all of them at the level 1; None without shields.
+/// The scene `radiant` with its shields at their levels by the light of all of them at the level 1; None without
+/// shields.
 pub(super) fn lit(radiant: Scene, roles: &Roles, solution: &Solution) -> Option<Scene> {
     (!roles.shields.is_empty()).then(|| at_levels(radiant, roles, &levels(roles, solution)))
 }

@@ -89,8 +89,8 @@ impl JudgedRun {
         Self::by_groups(solved, way, group_solutions(solved, referee), referee, effort, work)
     }
 
-    /// As [`JudgedRun::of`], of the light of all groups together alone: it is read once, at this pace if there is one, as
-    /// accurately as counts in the mean of all.
+    /// As [`JudgedRun::of`], of the light of all groups together alone: it is read once, at this pace if there is one,
+    /// as accurately as counts in the mean of all.
     pub fn of_all_light(
         solved: &Solved,
         settings: &ReadSettings,

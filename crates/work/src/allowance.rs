@@ -16,8 +16,8 @@ pub struct Allowance {
 }
 
 impl Allowance {
-    /// The allowance of work by so many threads; None where nothing limits its time, and for several ranks, whose clocks
-    /// differ.
+    /// The allowance of work by so many threads; None where nothing limits its time, and for several ranks, whose
+    /// clocks differ.
     pub fn of(work: &Work<'_>, threads: usize) -> Option<Self> {
         work.left().map(|left| Self::until(Instant::now() + left, threads))
     }

@@ -102,8 +102,8 @@ fn a_kept_oven_tells_what_it_tells_alone_with_the_same_errors() {
     }
 }
 
-/// Light is linear in levels, and between two emissivities follows from that of few cases: most balances of a sweep take
-/// no iteration of the solver, and each is the one of its scene alone.
+/// Light is linear in levels, and between two emissivities follows from that of few cases: most balances of a sweep
+/// take no iteration of the solver, and each is the one of its scene alone.
 #[test]
 fn balances_of_a_sweep_follow_from_few_of_them() {
     let oven = builtin("oven");

@@ -248,8 +248,8 @@ impl Model {
         self.ready.options.in_threads(work.ranks, || self.solved(scene, None, work))?
     }
 
-    /// Solves as [`Model::solve`] for one of many scenes, the light of some of which is `known`: light that follows from
-    /// it, to the tolerance of the solver, is not solved for, and all of it is known from then on.
+    /// Solves as [`Model::solve`] for one of many scenes, the light of some of which is `known`: light that follows
+    /// from it, to the tolerance of the solver, is not solved for, and all of it is known from then on.
     ///
     /// # Errors
     /// As [`Model::solve`].

@@ -105,8 +105,8 @@ impl<'a> Gathering<'a> {
         Self { by, doubtful: self.doubtful.map(|places| Box::new(places.paced(pace))) }
     }
 
-    /// As made, but readings by rays are to be accurate relative to the usual irradiance where less arrives: what counts
-    /// in the mean of all.
+    /// As made, but readings by rays are to be accurate relative to the usual irradiance where less arrives: what
+    /// counts in the mean of all.
     pub fn for_mean(self) -> Self {
         let by = match self.by {
             GatheredBy::Rays(gather) => GatheredBy::Rays(gather.beside_usual()),
