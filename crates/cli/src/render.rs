@@ -257,11 +257,10 @@ impl RenderArgs {
         let asked = Way { read, samples: self.samples(), is_rough: self.preview, is_hurried: false };
         // A wanted accuracy counts more than the time.
         let is_bound = read == ReadMode::Basis || self.run.method.wanted_accuracy().is_some();
-        let Some(left) = run.time_left().filter(|_| !is_bound) else { return asked };
+        let Some(left) = run.allowance().filter(|_| !is_bound) else { return asked };
         let fits = |way: &Way| {
             let request = self.request(way, solution, run.solved.visibility(), camera);
-            // Forecasts are of two threads.
-            2.0 * request.seconds(&run.work()) <= run.threads as f64 * left.as_secs_f64()
+            left.suffices(request.seconds(&run.work()))
         };
         let basis = Way::hurried(ReadMode::Basis);
         [asked, Way::hurried(ReadMode::Direct)].into_iter().find(fits).unwrap_or(basis)

@@ -27,7 +27,7 @@ use radiosity_solve::solved::Solved;
 use radiosity_solve::studies::adaptation::Goal;
 use radiosity_solve::{Options, in_threads};
 use radiosity_work::ranks::Ranks;
-use radiosity_work::{Deadline, Pace, Stage, Work};
+use radiosity_work::{Allowance, Deadline, Pace, Stage, Work};
 
 use crate::aim::{points_file, wanted};
 use crate::checkpoint::CheckpointArgs;
@@ -239,6 +239,11 @@ impl Run {
     /// where pieces are recorded, which a later run takes for done.
     fn read_until(&self) -> Option<Instant> {
         self.start.read_until.filter(|_| self.start.ranks.are_alone() && !self.start.ranks.record_all())
+    }
+
+    /// As [`Run::time_left`], beside forecasts of what is read.
+    pub(crate) fn allowance(&self) -> Option<Allowance> {
+        Some(Allowance::until(self.read_until()?, self.threads))
     }
 
     /// The time left to read light, where it is limited.

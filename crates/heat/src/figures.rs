@@ -3,7 +3,7 @@
 use radiosity_core::dot;
 use radiosity_elements::Elements;
 use radiosity_scene::Scene;
-use radiosity_solve::Outcome;
+use radiosity_solve::solution::Solution;
 
 use super::black_body::{STEFAN_BOLTZMANN, kelvin, level};
 use super::error::HeatError;
@@ -82,10 +82,10 @@ pub(super) fn areas(elements: &Elements) -> Vec<f64> {
 pub(super) fn figures(
     scene: &Scene,
     roles: &Roles,
-    outcome: &Outcome,
+    solution: &Solution,
 ) -> Result<Vec<SurfaceHeat>, HeatError> {
-    let elements = outcome.solution.elements();
-    let band = &outcome.solution.bands()[0];
+    let elements = solution.elements();
+    let band = &solution.bands()[0];
     let (areas, received) = (areas(elements), received(elements, &band.coefficients.irradiance));
     let figure = |surface: usize| {
         let (area, power) = (areas[surface], received[surface]);

@@ -41,8 +41,13 @@ impl Finer {
     pub(super) fn figures(&mut self, case: &Case, work: &Work<'_>) -> Result<Vec<SurfaceHeat>, HeatError> {
         let compared = comparing(work);
         let solve = || self.transfers.light(case, &work.observed_by(&compared));
-        let outcome = work.during(Stage::Comparison, solve)?;
-        figures(&case.scene, &case.roles, &outcome)
+        let light = work.during(Stage::Comparison, solve)?;
+        figures(&case.scene, &case.roles, &light)
+    }
+
+    /// These, for one case after another.
+    pub(super) fn for_many(self) -> Self {
+        Self { transfers: self.transfers.for_many(), ..self }
     }
 
     /// Whether all surfaces are cut.

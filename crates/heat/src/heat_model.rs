@@ -38,13 +38,13 @@ impl HeatModel {
         let find = || work.during(Stage::Backs, || reached_backs(scene));
         let fronts = options.in_threads(work.ranks, find)?;
         let mut case = options.in_threads(work.ranks, || Case::of(scene.with_backs(&fronts), options))??;
-        let mut transfers = Transfers::first(&case, false, work)?;
+        let mut transfers = Transfers::first(&case, false, work)?.for_many();
         let solve = || Heat::balanced(&mut case, &mut transfers, work);
         let mut heat = work.during(Stage::Solve, solve)?;
         let forecast = case.forecast(work.ranks);
         let cut = Cut::of(&case.roles, transfers.model(), &heat.outcome);
         let cut = cut.filter(|cut| forecast.fits(cut, forecast.of_first()));
-        let mut finer = cut.map(|cut| Finer::of(cut, &case, work)).transpose()?;
+        let mut finer = cut.map(|cut| Finer::of(cut, &case, work)).transpose()?.map(Finer::for_many);
         heat.add_errors(finer.as_mut(), &case, work)?;
         let Options { transport, rays, order, .. } = case.options;
         let options = Options { transport, rays, order, ..*options };

@@ -4,14 +4,13 @@
 //! may be added to σ T⁴: there is no balance, or there are many. Where all are adiabatic, nothing flows at any
 //! level, and none of the others takes part: the flows of the rest are as without them.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
-use radiosity_core::dot;
-use radiosity_elements::Element;
 use radiosity_scene::Scene;
 use radiosity_solve::{Model, Options};
 
 use super::error::HeatError;
+use super::figures::{areas, received};
 use super::roles::{Role, Roles, named};
 
 /// Share of its heat that a part has to lose to count as open, over the accuracy of the blocks: what it seems
@@ -19,42 +18,78 @@ use super::roles::{Role, Roles, named};
 /// be anything.
 const OPEN: f64 = 10.0;
 
-/// Makes surfaces idle that neither gain nor lose heat and whose part has neither a temperature nor an opening.
-///
-/// # Errors
-/// Such a part in which heat is given.
-pub(super) fn settle(
-    scene: &Scene,
-    roles: &mut Roles,
-    model: &Model,
-    options: &Options,
-) -> Result<(), HeatError> {
-    let open = OPEN * options.eps.max(options.shadow_eps).max(model.blocks().statistics.accuracy_reached);
-    let list = model.elements().list();
-    let parts = parts(roles, model, scene.surfaces.len());
-    let ones = model.elements().constant();
-    let received = model.blocks().apply(&ones);
-    let starts = model.elements().starts();
-    let kept =
-        |index: usize, element: &Element| dot(&element.constant, &received[starts[index]..starts[index + 1]]);
-    let mut sums: BTreeMap<usize, Part> = BTreeMap::new();
-    for (index, element) in list.iter().enumerate() {
-        let part = sums.entry(parts[element.surface]).or_default();
-        part.area += element.area;
-        part.kept += kept(index, element);
-        part.has_temperature |= matches!(roles.list[element.surface], Role::Temperature { .. });
-        part.is_given |= !roles.is_adiabatic(element.surface);
+/// Exchange between surfaces where all emit 1, whatever they are.
+#[derive(Debug)]
+pub(super) struct Exchange {
+    surfaces: Vec<Exchanged>,
+    /// Pairs of surfaces that see each other.
+    seen: BTreeSet<[usize; 2]>,
+    /// Largest error of transfers over what is exchanged.
+    error: f64,
+}
+
+/// Exchange of one surface.
+#[derive(Clone, Copy, Debug, Default)]
+struct Exchanged {
+    area: f64,
+    /// Power that reaches it.
+    received: f64,
+}
+
+impl Exchange {
+    /// The exchange by the transfers of a model.
+    pub(super) fn of(model: &Model) -> Self {
+        let (elements, list) = (model.elements(), model.elements().list());
+        let received = received(elements, &model.blocks().apply(&elements.constant()));
+        let surfaces = areas(elements).into_iter().zip(received);
+        let surfaces = surfaces.map(|(area, received)| Exchanged { area, received }).collect();
+        let stored = model.blocks().first_entries().into_iter();
+        let seen = stored.map(|first| [list[first.row].surface, list[first.column].surface]).collect();
+        Self { surfaces, seen, error: model.blocks().statistics.accuracy_reached }
     }
-    let floats = |part: &Part| !part.has_temperature && part.kept > (1.0 - open) * part.area;
-    sums.retain(|_, part| floats(part));
-    match sums.iter().find(|(_, part)| part.is_given) {
-        None => {
-            roles.idle(|surface| sums.contains_key(&parts[surface]));
-            Ok(())
+
+    /// Makes surfaces idle that neither gain nor lose heat and whose part has neither a temperature nor an opening.
+    ///
+    /// # Errors
+    /// Such a part in which heat is given.
+    pub(super) fn settle(
+        &self,
+        scene: &Scene,
+        roles: &mut Roles,
+        options: &Options,
+    ) -> Result<(), HeatError> {
+        let open = OPEN * options.eps.max(options.shadow_eps).max(self.error);
+        let parts = self.parts(roles);
+        let mut sums: BTreeMap<usize, Part> = BTreeMap::new();
+        for (surface, own) in self.surfaces.iter().enumerate().filter(|(_, own)| own.area > 0.0) {
+            let part = sums.entry(parts[surface]).or_default();
+            part.area += own.area;
+            part.kept += own.received;
+            part.has_temperature |= matches!(roles.list[surface], Role::Temperature { .. });
+            part.is_given |= !roles.is_adiabatic(surface);
         }
-        Some((floating, _)) => {
-            Err(HeatError::NoLevel { surfaces: named(scene, |surface, _| parts[surface] == *floating) })
+        let floats = |part: &Part| !part.has_temperature && part.kept > (1.0 - open) * part.area;
+        sums.retain(|_, part| floats(part));
+        match sums.iter().find(|(_, part)| part.is_given) {
+            None => {
+                roles.idle(|surface| sums.contains_key(&parts[surface]));
+                Ok(())
+            }
+            Some((floating, _)) => {
+                Err(HeatError::NoLevel { surfaces: named(scene, |surface, _| parts[surface] == *floating) })
+            }
         }
+    }
+
+    /// For each surface the first surface of its part: surfaces that exchange heat, and sides of one shield.
+    fn parts(&self, roles: &Roles) -> Vec<usize> {
+        let pairs = self.seen.iter().copied().chain(roles.shields.iter().map(|shield| shield.sides));
+        let mut parents: Vec<usize> = (0..self.surfaces.len()).collect();
+        for pair in pairs {
+            let [a, b] = pair.map(|surface| root(&mut parents, surface));
+            parents[a.max(b)] = a.min(b);
+        }
+        (0..self.surfaces.len()).map(|surface| root(&mut parents, surface)).collect()
     }
 }
 
@@ -67,20 +102,6 @@ struct Part {
     has_temperature: bool,
     /// Whether a temperature or a flux other than 0 is given.
     is_given: bool,
-}
-
-/// For each surface the first surface of its part: surfaces that exchange heat, and sides of one shield.
-fn parts(roles: &Roles, model: &Model, surfaces: usize) -> Vec<usize> {
-    let list = model.elements().list();
-    let stored = model.blocks().first_entries().into_iter();
-    let seen = stored.map(|first| [list[first.row].surface, list[first.column].surface]);
-    let pairs = seen.chain(roles.shields.iter().map(|shield| shield.sides));
-    let mut parents: Vec<usize> = (0..surfaces).collect();
-    for pair in pairs {
-        let [a, b] = pair.map(|surface| root(&mut parents, surface));
-        parents[a.max(b)] = a.min(b);
-    }
-    (0..surfaces).map(|surface| root(&mut parents, surface)).collect()
 }
 
 fn root(parents: &mut [usize], mut surface: usize) -> usize {

@@ -21,8 +21,8 @@
 //! part in it; where they are known, they are a `heat_flux`.
 //!
 //! In order: [`HeatError`], `black_body`, `backs` (which of them heat reaches), `roles` (what is known of
-//! each surface), `coats` (scenes with the coatings of heat), `closure` (rows that sum to 1), `levels`,
-//! `figures` (of each surface), `noise` (that rays leave in them), `field` (σ T⁴ over surfaces), `shields`,
+//! each surface), `coats` (scenes with the coatings of heat), `closure` (rows that sum to 1), `figures` (of each
+//! surface), `levels`, `noise` (that rays leave in them), `field` (σ T⁴ over surfaces), `shields`,
 //! `conductances`, `cut` (elements that tell the error), `forecast`, `case` (a scene, its roles and options),
 //! `transfers` between its elements and the `finer` ones of a cut, [`Heat`], the balance, [`HeatModel`],
 //! transfers that are kept for many of them, [`judging`], what a referee says of one, [`remarks`] on both,
@@ -36,8 +36,8 @@ mod backs;
 mod roles;
 mod coats;
 mod closure;
-mod levels;
 mod figures;
+mod levels;
 mod noise;
 mod field;
 mod shields;
@@ -171,10 +171,10 @@ impl Heat {
     /// The balance of a case by these transfers, without errors. Surfaces whose level nothing sets become idle.
     fn balanced(case: &mut Case, transfers: &mut Transfers, work: &Work<'_>) -> Result<Self, HeatError> {
         transfers.settle(case)?;
-        let mut outcome = transfers.light(case, work)?;
+        let mut outcome = transfers.outcome(case, work)?;
         let Case { scene, roles, choice, .. } = case;
         outcome.choice = choice.clone();
-        let surfaces = figures(scene, roles, &outcome)?;
+        let surfaces = figures(scene, roles, &outcome.solution)?;
         // What rules or rays missed does not matter where sums tell it.
         outcome.worst_error = outcome.worst_error.filter(|_| !transfers.closure().is_exact);
         Ok(Self {

@@ -9,21 +9,25 @@
 
 use std::collections::BTreeMap;
 
+use radiosity_scene::Scene;
 use radiosity_solve::solution::Solution;
 use radiosity_solvers::method::Method;
 use radiosity_solvers::{Dense, Partition, Settings};
 
-use super::coats::group_of_shield;
+use super::coats::{at_levels, group_of_shield};
 use super::figures::{areas, received};
 use super::roles::{Role, Roles};
 
+/// The scene `radiant` with its shields at their levels by the light of all of them at the level 1; None without
+/// shields.
+pub(super) fn lit(radiant: Scene, roles: &Roles, solution: &Solution) -> Option<Scene> {
+    (!roles.shields.is_empty()).then(|| at_levels(radiant, roles, &levels(roles, solution)))
+}
+
 /// The level σ T⁴ (W m⁻²) of each shield, from the light of all of them at the level 1. Not a number where
 /// the flows have no balance.
-pub(super) fn levels(roles: &Roles, solution: &Solution) -> Vec<f64> {
+fn levels(roles: &Roles, solution: &Solution) -> Vec<f64> {
     let count = roles.shields.len();
-    if count == 0 {
-        return Vec::new();
-    }
     let elements = solution.elements();
     let areas = areas(elements);
     let mut others = vec![0.0; elements.surfaces()];

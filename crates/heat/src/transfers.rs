@@ -2,22 +2,29 @@
 //!
 //! They follow from the geometry and the accuracy alone; only rays are spread by what surfaces reflect.
 
+use std::sync::OnceLock;
+
 use radiosity_elements::mesh::Mesh;
-use radiosity_solve::{Model, Options, Outcome};
+use radiosity_solve::solution::Solution;
+use radiosity_solve::{KnownLight, Model, Options, Outcome};
 use radiosity_work::{Stage, Work};
 
 use super::case::Case;
 use super::closure::{Closure, close};
-use super::coats::{all_emit, at_levels, radiant};
+use super::coats::{all_emit, radiant};
 use super::conductances::Conductances;
 use super::error::HeatError;
-use super::{levels, shields};
+use super::levels::Exchange;
+use super::shields;
 
 /// The transfers of a scene, with rows that close where it is closed.
 #[derive(Debug)]
 pub(super) struct Transfers {
     model: Model,
     closure: Closure,
+    exchange: OnceLock<Exchange>,
+    /// Light of cases, from which that of others follows; None where there are no others.
+    known: Option<KnownLight>,
 }
 
 impl Transfers {
@@ -51,7 +58,12 @@ impl Transfers {
         let model = model.without_spectral_bound();
         let make = || work.during(Stage::Closure, || close(&case.scene, model, options));
         let (model, closure) = options.in_threads(work.ranks, make)?;
-        Ok(Self { model, closure })
+        Ok(Self { model, closure, exchange: OnceLock::new(), known: None })
+    }
+
+    /// These, for one case after another.
+    pub(super) fn for_many(self) -> Self {
+        Self { known: Some(KnownLight::default()), ..self }
     }
 
     /// The elements and their blocks.
@@ -66,23 +78,41 @@ impl Transfers {
 
     /// Makes surfaces of a case idle whose level nothing sets ([`levels::settle`]).
     pub(super) fn settle(&self, case: &mut Case) -> Result<(), HeatError> {
-        levels::settle(&case.scene, &mut case.roles, &self.model, &case.options)
+        let exchange = self.exchange.get_or_init(|| Exchange::of(&self.model));
+        exchange.settle(&case.scene, &mut case.roles, &case.options)
     }
 
-    /// The light of a case of these surfaces, with its shields at their levels.
+    /// The light of a case of these surfaces with its self-checks, its shields at their levels.
     ///
     /// # Errors
     /// What the solver refuses.
-    pub(super) fn light(&mut self, case: &Case, work: &Work<'_>) -> Result<Outcome, HeatError> {
+    pub(super) fn outcome(&mut self, case: &Case, work: &Work<'_>) -> Result<Outcome, HeatError> {
         let Case { scene, roles, options, .. } = case;
         self.model.set_tolerance(options.tolerance);
         let radiant = radiant(scene, roles);
-        let outcome = self.model.solve(&radiant, work)?;
-        if roles.shields.is_empty() {
-            return Ok(outcome);
-        }
-        let levels = shields::levels(roles, &outcome.solution);
-        Ok(outcome.relight(&at_levels(radiant, roles, &levels)).expect("each shield is a group"))
+        let outcome = match &mut self.known {
+            Some(known) => self.model.solve_beside(&radiant, known, work)?,
+            None => self.model.solve(&radiant, work)?,
+        };
+        Ok(match shields::lit(radiant, roles, &outcome.solution) {
+            Some(lit) => outcome.relight(&lit).expect("each shield is a group"),
+            None => outcome,
+        })
+    }
+
+    /// The light of a case as [`Transfers::outcome`] finds it.
+    ///
+    /// # Errors
+    /// What the solver refuses.
+    pub(super) fn light(&mut self, case: &Case, work: &Work<'_>) -> Result<Solution, HeatError> {
+        let Case { scene, roles, options, .. } = case;
+        self.model.set_tolerance(options.tolerance);
+        let radiant = radiant(scene, roles);
+        let solution = self.model.light_of(&radiant, self.known.as_mut(), work)?;
+        Ok(match shields::lit(radiant, roles, &solution) {
+            Some(lit) => solution.relight(&lit).expect("each shield is a group"),
+            None => solution,
+        })
     }
 
     /// The conductances between the surfaces of a case.

@@ -3,7 +3,7 @@
 //! About 64 of what a run prints, evenly chosen, are estimated by walks that know the scene alone; what is
 //! found makes the method's own estimates true ([`Checked`]).
 
-use radiosity_audit::{Checked, Effort, Estimate, Judged, Referee, Spot, Verdict, evenly};
+use radiosity_audit::{Checked, Effort, Estimate, Judged, Referee, Spot, Verdict, WalkCost, evenly};
 use radiosity_elements::cells::cells_of;
 use radiosity_geom::{Rect, Surface};
 use radiosity_scene::Scene;
@@ -98,6 +98,13 @@ pub struct CheckEffort {
     pub effort: Effort,
     /// Seed of the choice.
     pub seed: u64,
+}
+
+impl CheckEffort {
+    /// About the seconds that its walks in a scene take two threads.
+    pub fn seconds(&self, scene: &Scene) -> f64 {
+        self.effort.seconds(self.readings, &WalkCost::of_light(scene))
+    }
 }
 
 /// Readings of a run with what the referee says of them.

@@ -9,12 +9,14 @@ use radiosity_scene::Scene;
 use radiosity_solve::solution::Solution;
 use radiosity_solve::solution::group_light::GroupLight;
 use radiosity_solve::solved::Solved;
+use radiosity_visibility::Visibility;
 use radiosity_work::{Pace, Work};
 
 use crate::checked_readings::{CheckEffort, CheckedReadings, PrintedReading};
 use crate::own_error::OwnError;
 use crate::probe::{Probe, ProbeFault, ProbeReading, probe_each};
 use crate::quality::ReadSettings;
+use crate::reader::Reader;
 
 /// Part of the readings that are points of surfaces where there are planes. Chosen: planes are asked for, and
 /// surfaces send them their light.
@@ -46,6 +48,27 @@ pub struct JudgedRun {
     pub checked: Checked,
 }
 
+/// A way in which light is read.
+#[derive(Clone, Copy)]
+struct Way<'a> {
+    settings: &'a ReadSettings,
+    pace: Option<&'a Pace>,
+    /// Whether it is as accurate as counts in the mean of all readings alone.
+    is_for_mean: bool,
+}
+
+impl<'a> Way<'a> {
+    /// The reader of a solution among obstacles.
+    fn reader(&self, solution: &'a Solution, visibility: &'a Visibility) -> Reader<'a> {
+        let reader = self.settings.reader(solution, visibility);
+        let reader = if self.is_for_mean { reader.for_mean() } else { reader };
+        match self.pace {
+            Some(pace) => reader.paced(pace),
+            None => reader,
+        }
+    }
+}
+
 /// A place at which light is read, with the name of its surface or plane.
 struct Place {
     probe: Probe,
@@ -62,10 +85,12 @@ impl JudgedRun {
         effort: &CheckEffort,
         work: &Work<'_>,
     ) -> Self {
-        Self::by_groups(solved, settings, group_solutions(solved, referee), None, referee, effort, work)
+        let way = Way { settings, pace: None, is_for_mean: false };
+        Self::by_groups(solved, way, group_solutions(solved, referee), referee, effort, work)
     }
 
-    /// As [`JudgedRun::of`], of the light of all groups together alone: it is read once, at this pace if there is one.
+    /// As [`JudgedRun::of`], of the light of all groups together alone: it is read once, at this pace if there is one,
+    /// as accurately as counts in the mean of all.
     pub fn of_all_light(
         solved: &Solved,
         settings: &ReadSettings,
@@ -74,21 +99,21 @@ impl JudgedRun {
         effort: &CheckEffort,
         work: &Work<'_>,
     ) -> Self {
-        Self::by_groups(solved, settings, Vec::new(), pace, referee, effort, work)
+        let way = Way { settings, pace, is_for_mean: true };
+        Self::by_groups(solved, way, Vec::new(), referee, effort, work)
     }
 
     fn by_groups(
         solved: &Solved,
-        settings: &ReadSettings,
+        way: Way<'_>,
         groups: Vec<GroupSolution>,
-        pace: Option<&Pace>,
         referee: &Referee,
         effort: &CheckEffort,
         work: &Work<'_>,
     ) -> Self {
-        let (scene, own) = (&solved.scene, OwnError::of(solved, settings));
+        let (scene, own) = (&solved.scene, OwnError::of(solved, way.settings));
         let all = places(scene, referee, effort);
-        let read = |solution: &Solution| readings(solution, solved, settings, &all, pace, work);
+        let read = |solution: &Solution| readings(solution, solved, way, &all, work);
         let whole = read(&solved.outcome.solution);
         let left_out = whole.iter().filter(|own| own.is_none()).count();
         let groups: Vec<Vec<Option<Vec<f64>>>> = groups.into_iter().map(|own| own.read(&all, read)).collect();
@@ -135,17 +160,15 @@ fn places(scene: &Scene, referee: &Referee, effort: &CheckEffort) -> Vec<Place> 
 fn readings(
     solution: &Solution,
     solved: &Solved,
-    settings: &ReadSettings,
+    way: Way<'_>,
     places: &[Place],
-    pace: Option<&Pace>,
     work: &Work<'_>,
 ) -> Vec<Option<Result<ProbeReading, ProbeFault>>> {
-    let reader = settings.reader(solution, solved.visibility());
+    let reader = way.reader(solution, solved.visibility());
     let probes: Vec<Probe> = places.iter().map(|place| place.probe).collect();
-    let Some(pace) = pace else {
+    let Some(pace) = way.pace else {
         return probe_each(&reader, &probes, solved.scene.middle, work).into_iter().map(Some).collect();
     };
-    let reader = reader.paced(pace);
     let mut found: Vec<_> = probes.iter().map(|_| None).collect();
     // Those that are left out are spread over all.
     for some in spread(probes.len()).collect::<Vec<_>>().chunks(AT_ONCE) {

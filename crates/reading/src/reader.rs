@@ -81,6 +81,16 @@ impl<'a> Reader<'a> {
         Self { light, pace: Some(pace), ..self }
     }
 
+    /// As made, but what rays gather is to be accurate relative to the usual irradiance where less arrives: what counts
+    /// in the mean of all readings.
+    pub(super) fn for_mean(self) -> Self {
+        let light = match self.light {
+            RecomputedLight::Gathered(light) => RecomputedLight::Gathered(light.for_mean()),
+            light => light,
+        };
+        Self { light, ..self }
+    }
+
     /// Tells the pace, if there is one, that so many `readings` are to come.
     pub(super) fn expect(&self, readings: impl Fn() -> usize) {
         self.pace.iter().for_each(|pace| pace.expect(readings()));

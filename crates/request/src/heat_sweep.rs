@@ -90,7 +90,7 @@ impl HeatSweep {
         let mut largest = SweptPoint { point: first, heat };
         let mut others = BTreeMap::new();
         let count = self.values.len();
-        for (made, point) in (0..count).filter(|point| *point != first).enumerate() {
+        for (made, point) in self.spread_from(first).into_iter().skip(1).enumerate() {
             work.report_done(Stage::Runs, made + 1, count);
             let own = SweptPoint { point, heat: model.balance(&at(point)?, work)? };
             let is_larger = own.heat.flows() > largest.heat.flows();
@@ -104,6 +104,21 @@ impl HeatSweep {
         let unchecked = options.in_threads(work.ranks, checking).map_err(HeatError::from)?.err();
         others.values_mut().for_each(|own| largest.check_others(own.as_mut()));
         Ok(SweptHeat { largest, point, scene, unchecked, others })
+    }
+
+    /// The numbers of the values from this one on, each as far as can be from those before it: light of what lies
+    /// between them follows from theirs.
+    fn spread_from(&self, first: usize) -> Vec<usize> {
+        let mut distances = vec![f64::INFINITY; self.values.len()];
+        let mut order = vec![first];
+        while let Some(last) = order.last().copied().filter(|_| order.len() < self.values.len()) {
+            let from_last = self.values.iter().map(|value| (value - self.values[last]).abs());
+            distances.iter_mut().zip(from_last).for_each(|(own, other)| *own = own.min(other));
+            // Equal values are 0 apart, and none comes twice.
+            distances[last] = f64::NEG_INFINITY;
+            order.extend((0..distances.len()).max_by(|a, b| distances[*a].total_cmp(&distances[*b])));
+        }
+        order
     }
 
     /// The numbers of the least and the greatest value: all others fit a scene where these do.

@@ -27,3 +27,4 @@ pub use driver::{
     SweepOrder, Transport, TransportChoice, in_threads, solve,
 };
 pub use geometry::geometry;
+pub use system::known_light::KnownLight;

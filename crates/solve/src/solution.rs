@@ -184,7 +184,7 @@ impl Solution {
 
     /// The solution at the factors of the groups of `scene`. None if the light of its groups is not kept
     /// apart.
-    pub(crate) fn relight(&self, scene: &Scene) -> Option<Self> {
+    pub fn relight(&self, scene: &Scene) -> Option<Self> {
         let wanted = scene.light_groups();
         if wanted.is_empty() {
             return Some(self.clone());

@@ -48,6 +48,7 @@ mod series;
 mod reduction;
 mod projected;
 pub(crate) mod shooting;
+pub(crate) mod known_light;
 pub mod ritz;
 
 use std::borrow::Cow;
@@ -147,6 +148,17 @@ impl<'a> System<'a> {
             Self::where_arrived(elements, blocks, band, coating, entry, &mut arrived)
         };
         all.iter().map(of).collect()
+    }
+
+    /// The system of a coating of which G carries all light, where G e has `arrived`.
+    pub(crate) fn carried_by(
+        elements: &'a [Element],
+        blocks: &'a Blocks,
+        coating: &'a Coating,
+        arrived: Vec<f64>,
+    ) -> Self {
+        let entry = DirectLightEntry::Carried;
+        Self::where_arrived(elements, blocks, 0, coating, &entry, &mut [arrived].into_iter())
     }
 
     /// The system where G times what is [sent first](sent_first) has `arrived`.
@@ -288,7 +300,13 @@ impl<'a> System<'a> {
     /// √ρ times the irradiance of the first transport, on the reflecting elements; S times it where surfaces
     /// transmit.
     pub fn right_hand_side(&self) -> Vec<f64> {
-        let halved = self.halved_light(&self.first);
+        self.halved_unknowns(&self.first)
+    }
+
+    /// √ρ times coefficients of irradiance, on the reflecting elements; S times them where surfaces transmit. Of the
+    /// irradiance that G makes of all radiosity these are the unknowns.
+    fn halved_unknowns(&self, irradiance: &[f64]) -> Vec<f64> {
+        let halved = self.halved_light(irradiance);
         self.unknowns(|_, offset| halved[offset])
     }
 
@@ -333,6 +351,11 @@ impl<'a> System<'a> {
     /// The size of a radiosity over that of the known one.
     fn relative(&self, size: f64) -> f64 {
         relative_residual(size, &self.emitted, self.apart.as_ref().map(|_| &self.known[..]))
+    }
+
+    /// The radiosity that is unknown where all of it is this.
+    fn unknown_part(&self, radiosity: &[f64]) -> Vec<f64> {
+        radiosity.iter().zip(&self.known).map(|(all, known)| all - known).collect()
     }
 
     /// Whether I − √ρ G √ρ is symmetric.
@@ -510,7 +533,7 @@ fn sent_first(
 }
 
 /// e, the coefficients of the emitted exitance.
-fn emitted(elements: &[Element], coating: &Coating) -> Vec<f64> {
+pub(crate) fn emitted(elements: &[Element], coating: &Coating) -> Vec<f64> {
     let ones: Vec<f64> = elements.iter().flat_map(|element| &element.constant).copied().collect();
     coating.emitted(&starts(elements), &ones)
 }

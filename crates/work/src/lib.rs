@@ -5,7 +5,7 @@
 //! wanted any more), `ranks` (processes or threads that share work, and the journal of what they have done),
 //! `progress` and `observer` (how far it is, and who observes it), `deadline` (ends it with the best so far),
 //! `pace` (shares the time until then among many things), `counted` (rays, from which forecasts are made), `work`
-//! (ranks, observer and deadline together, as they are handed down).
+//! (ranks, observer and deadline together, as they are handed down), `allowance` (the time left beside forecasts).
 //!
 //! Imports no other crate of the workspace.
 
@@ -22,7 +22,9 @@ mod observer;
 mod deadline;
 mod pace;
 mod work;
+mod allowance;
 
+pub use allowance::{Allowance, FORECAST_THREADS};
 pub use deadline::{Deadline, WishGuard};
 pub use observer::Observer;
 pub use pace::Pace;

@@ -102,6 +102,35 @@ fn a_kept_oven_tells_what_it_tells_alone_with_the_same_errors() {
     }
 }
 
+/// Light is linear in levels, and between two emissivities follows from that of few cases: most balances of a sweep
+/// take no iteration of the solver, and each is the one of its scene alone.
+#[test]
+fn balances_of_a_sweep_follow_from_few_of_them() {
+    let oven = builtin("oven");
+    let options = HeatOptions::default();
+    for (text, solved) in [("panel.temperature=300..1400/9", 1), ("brick.emissivity=0.3..0.9/9", 6)] {
+        let sweep: HeatSweep = text.parse().expect(text);
+        let mut model = kept(&oven, &options.options);
+        let heats: Vec<Heat> = [0, 8, 4, 2, 6, 1, 3, 5, 7]
+            .map(|point| {
+                balance(&mut model, &with(&oven, &sweep.setting().to_string(), sweep.values()[point]))
+            })
+            .into();
+        let iterated = heats.iter().filter(|own| own.outcome.iterations > 0).count();
+        assert!(iterated <= solved, "{text}: {iterated}");
+        for (point, found) in [(1, &heats[5]), (4, &heats[2]), (7, &heats[8])] {
+            assert!(found.outcome.residual < 1e-12, "{text}: {}", found.outcome.residual);
+            let scene = with(&oven, &sweep.setting().to_string(), sweep.values()[point]);
+            let alone = Heat::of(&scene, &options, &Work::alone()).unwrap_or_else(|error| panic!("{error}"));
+            let largest = alone.surfaces.iter().map(|own| own.flow.abs()).fold(0.0, f64::max);
+            for (own, other) in found.surfaces.iter().zip(&alone.surfaces) {
+                assert!((own.flow - other.flow).abs() <= 1e-12 * largest, "{text}: {own:?} for {other:?}");
+                assert_close(own.temperature, other.temperature, 1e-12);
+            }
+        }
+    }
+}
+
 /// Even fluxes on whole surfaces, which tell too little of near plates.
 fn even_on_whole_surfaces() -> Options {
     Options { order: 0, subdivide: Some(1), ..HeatOptions::default().options }

@@ -9,7 +9,7 @@ use radiosity_reading::judging::JudgedRun;
 use radiosity_reading::quality::ReadSettings;
 use radiosity_reading::reader::ReadMode;
 use radiosity_reading::run_cost::{seconds_to_read, tell_readings};
-use radiosity_work::{Pace, Stage, Work};
+use radiosity_work::{Pace, Progress, Stage, Work};
 
 use super::Run;
 use crate::error::CliError;
@@ -29,6 +29,7 @@ impl Run {
         seconds: f64,
     ) -> Result<Option<CheckedReadings>, CliError> {
         let Some(effort) = self.check_effort(seconds, count) else { return Ok(None) };
+        self.tell_walks(&effort);
         let referee = || Referee::of_light(&self.solved.scene);
         let judge = || CheckedReadings::of(&referee(), count, reading, &effort, &self.check_work());
         let judge = || self.work().during(Stage::Referee, judge);
@@ -49,6 +50,7 @@ impl Run {
         if pace.is_none() {
             let readings = effort.readings;
             tell_readings(&self.solved, &settings, readings, true, Stage::Referee, &self.work());
+            self.tell_walks(&effort);
         }
         let judge = || {
             let referee = Referee::of_light(&self.solved.scene);
@@ -72,6 +74,14 @@ impl Run {
     pub(crate) fn tell_readings(&self, settings: &ReadSettings, readings: usize, stage: Stage) {
         if self.time_left().is_none() {
             tell_readings(&self.solved, settings, readings, false, stage, &self.work());
+        }
+    }
+
+    /// Tells about how long the walks of a check take, unless their time is limited.
+    fn tell_walks(&self, effort: &CheckEffort) {
+        if self.time_left().is_none() {
+            let seconds = effort.seconds(&self.solved.scene);
+            self.work().report(Progress::Expected { stage: Stage::Referee, seconds });
         }
     }
 

@@ -13,7 +13,7 @@ use radiosity_solve::gather::gather_method::GatherMethod;
 use radiosity_solve::solution::Solution;
 use radiosity_visibility::Visibility;
 use radiosity_work::ranks::PartName;
-use radiosity_work::{Progress, Stage, Work};
+use radiosity_work::{FORECAST_THREADS, Progress, Stage, Work};
 
 use super::eye::Eye;
 use super::frame_light::FrameLight;
@@ -30,10 +30,6 @@ pub use crate::reader::ReadMode;
 
 /// Seconds that gathering the light of a picture may take unless asked for. Chosen.
 const PATIENCE: f64 = 10.0;
-
-/// Threads that the time is reckoned with, whatever the number that works: what is read does not depend on
-/// it. Chosen.
-const THREADS: f64 = 2.0;
 
 /// Relative accuracy of recomputed light in previews. Chosen: light by a draft's polynomials errs by as much.
 pub const ACCURACY_OF_PREVIEWS: f64 = 3e-2;
@@ -163,7 +159,7 @@ pub fn usual_read(
     let points = nodes(pixels as f64);
     let eps = AVERAGED * GATHERED_FOR_PICTURES;
     let seconds = GatherMethod::Auto.seconds(solution, visibility, eps, points, f64::INFINITY, false);
-    let gathered = seconds / THREADS;
+    let gathered = seconds / FORECAST_THREADS;
     let patience = left.map_or(PATIENCE, |left| left.as_secs_f64().min(PATIENCE));
     if gathered <= patience { ReadMode::Gather } else { ReadMode::Direct }
 }

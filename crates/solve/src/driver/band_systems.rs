@@ -11,9 +11,11 @@ use radiosity_solvers::Step;
 use radiosity_solvers::method::Method;
 use radiosity_work::{Progress, Work};
 
+use crate::system::known_light::KnownLight;
 use crate::system::ritz::{Ritz, RitzSolution};
 use crate::system::{Coefficients, System};
 
+use super::beside_known::BesideKnown;
 use super::emission::Emission;
 use super::failure::Failure;
 use super::first_light::EnteringLight;
@@ -76,19 +78,12 @@ impl BandSystems<'_> {
         for (band, name) in self.names.iter().enumerate() {
             let of = |range: Range<usize>| self.systems(band, &emissions[range.clone()], &first[range]);
             let systems = SystemsOfBand { count: emissions.len(), of: &of };
-            let mut observe = |step: &Step<'_>| {
-                let Step { iteration, residual, .. } = *step;
-                work.report(Progress::Iteration { band, of: self.names.len(), iteration, residual });
-            };
+            let mut observe = |step: &Step<'_>| self.tell(band, step, work);
             let mut lit = light.iter_mut().zip(emissions);
             let mut take = |RitzSolution { coefficients, functional }: RitzSolution| {
                 let Some((light, emission)) = lit.next() else { return };
                 light.push(coefficients);
-                // Where the system is not symmetric, the solution is no minimum.
-                let is_symmetric = self.blocks.symmetric() && !emission.coatings[band].transmits();
-                let (band, group) = (name.clone(), emission.group.clone());
-                let own = Functional { band, group, value: functional };
-                functionals.extend(is_symmetric.then_some(own));
+                functionals.extend(self.functional(band, emission, functional));
             };
             let before = before.band(band);
             let solved = solve_band(&systems, self.options, before, work, &mut observe, &mut take)
@@ -98,6 +93,51 @@ impl BandSystems<'_> {
         }
         let unknowns = Unknowns::of(unknowns);
         Ok(SolvedLight { light, before: None, unknowns, costs, functionals, shots: None })
+    }
+
+    /// All light of each emission, where G carries all of it between functions of the elements: that which is `known`
+    /// to the tolerance of the solver, and what is solved for from the nearest to it, which is known from then on.
+    ///
+    /// # Errors
+    /// As [`BandSystems::solved`].
+    pub(super) fn solved_beside(
+        &self,
+        emissions: &[Emission],
+        known: &mut KnownLight,
+        work: &Work<'_>,
+    ) -> Result<SolvedLight, Failure> {
+        let mut light: Vec<Vec<Coefficients>> = emissions.iter().map(|_| Vec::new()).collect();
+        let (mut costs, mut functionals) = (Vec::new(), Vec::new());
+        for (band, name) in self.names.iter().enumerate() {
+            let coatings: Vec<&Coating> = emissions.iter().map(|own| &own.coatings[band]).collect();
+            let mut observe = |step: &Step<'_>| self.tell(band, step, work);
+            let (elements, blocks) = (self.elements, self.blocks);
+            let (found, cost) = BesideKnown::of(elements, blocks, &coatings, known, self.options.tolerance)
+                .found(known, self.options, work, &mut observe)
+                .map_err(|source| Failure::Solver { band: name.clone(), source })?;
+            costs.extend(cost);
+            for ((light, emission), RitzSolution { coefficients, functional }) in
+                light.iter_mut().zip(emissions).zip(found)
+            {
+                light.push(coefficients);
+                functionals.extend(self.functional(band, emission, functional));
+            }
+        }
+        let unknowns = Unknowns::default();
+        Ok(SolvedLight { light, before: None, unknowns, costs, functionals, shots: None })
+    }
+
+    /// The value of the functional in a band of an emission, where the solution is its minimum.
+    fn functional(&self, band: usize, emission: &Emission, value: f64) -> Option<Functional> {
+        let is_symmetric = self.blocks.symmetric() && !emission.coatings[band].transmits();
+        let (band, group) = (self.names[band].clone(), emission.group.clone());
+        is_symmetric.then_some(Functional { band, group, value })
+    }
+
+    /// Tells of an iteration for a band.
+    fn tell(&self, band: usize, step: &Step<'_>, work: &Work<'_>) {
+        let Step { iteration, residual, .. } = *step;
+        work.report(Progress::Iteration { band, of: self.names.len(), iteration, residual });
     }
 
     /// The light of each emission that was reflected so many times at the most.

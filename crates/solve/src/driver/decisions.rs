@@ -7,9 +7,9 @@ use radiosity_elements::{Discretization, Subdivide, usual_mesh};
 use radiosity_published::bases::basis::Ground;
 use radiosity_scene::Scene;
 use radiosity_visibility::Visibility;
+use radiosity_work::Allowance;
 use radiosity_work::ranks::Ranks;
 
-use super::allowance::Allowance;
 use super::failure::Failure;
 use super::forecast::rays_in_time;
 use super::memory_need::{MemoryNeed, peak_of_mesh, require_memory_of_mesh};

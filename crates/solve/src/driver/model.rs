@@ -14,6 +14,7 @@ use radiosity_elements::Elements;
 use radiosity_elements::mesh::Mesh;
 use radiosity_kernel::Blocks;
 use radiosity_kernel::block_columns::ByColumn;
+use radiosity_light::first_bounce::DirectLightEntry;
 use radiosity_published::bases::Subspace;
 use radiosity_scene::Scene;
 use radiosity_solvers::method::Access;
@@ -26,6 +27,7 @@ use crate::checks::{Balance, Checks, largest_bound};
 use crate::solution::Solution;
 use crate::solution::group_light::GroupLight;
 use crate::system::Coefficients;
+use crate::system::known_light::KnownLight;
 use crate::system::shooting::ambient;
 use crate::system::vector::distance;
 
@@ -205,7 +207,7 @@ impl Model {
         let ready = Ready::of(scene, options, plan, None, work)?;
         match ready.is_lazy(work.ranks)? {
             true => Self::shot(ready, work),
-            false => Self::carried(ready, None, work).solved(scene, work),
+            false => Self::carried(ready, None, work).solved(scene, None, work),
         }
     }
 
@@ -243,7 +245,42 @@ impl Model {
     /// solver that fails or does not converge, or threads that cannot be started.
     pub fn solve(&self, scene: &Scene, work: &Work<'_>) -> Result<Outcome, Failure> {
         self.check(scene)?;
-        self.ready.options.in_threads(work.ranks, || self.solved(scene, work))?
+        self.ready.options.in_threads(work.ranks, || self.solved(scene, None, work))?
+    }
+
+    /// Solves as [`Model::solve`] for one of many scenes, the light of some of which is `known`: light that follows
+    /// from it, to the tolerance of the solver, is not solved for, and all of it is known from then on.
+    ///
+    /// # Errors
+    /// As [`Model::solve`].
+    pub fn solve_beside(
+        &self,
+        scene: &Scene,
+        known: &mut KnownLight,
+        work: &Work<'_>,
+    ) -> Result<Outcome, Failure> {
+        self.check(scene)?;
+        self.ready.options.in_threads(work.ranks, || self.solved(scene, Some(known), work))?
+    }
+
+    /// The light of `scene` as [`Model::solve`] finds it, beside `known` light as [`Model::solve_beside`] if there is
+    /// any, without self-checks.
+    ///
+    /// # Errors
+    /// As [`Model::solve`].
+    pub fn light_of(
+        &self,
+        scene: &Scene,
+        known: Option<&mut KnownLight>,
+        work: &Work<'_>,
+    ) -> Result<Solution, Failure> {
+        self.check(scene)?;
+        self.ready.options.in_threads(work.ranks, || {
+            let mut seconds = Stages::default();
+            let solve = || self.entered(scene, known, &mut seconds, work);
+            let (entered, SolvedLight { light, before, .. }) = work.during(Stage::Solve, solve)?;
+            Ok(self.solution_of(scene, entered, light, before))
+        })?
     }
 
     /// This model, to be solved by so many shots.
@@ -312,17 +349,23 @@ impl Model {
         Ok(())
     }
 
-    fn solved(&self, scene: &Scene, work: &Work<'_>) -> Result<Outcome, Failure> {
+    fn solved(
+        &self,
+        scene: &Scene,
+        known: Option<&mut KnownLight>,
+        work: &Work<'_>,
+    ) -> Result<Outcome, Failure> {
         let mut seconds = self.ready.seconds;
-        let solve = || self.entered(scene, &mut seconds, work);
+        let solve = || self.entered(scene, known, &mut seconds, work);
         let (entered, light) = work.during(Stage::Solve, solve)?;
         Ok(self.outcome(scene, entered, light, seconds, work))
     }
 
-    /// The light of a scene with what enters first, timed.
+    /// The light of a scene with what enters first, timed; beside `known` light, if there is any.
     fn entered(
         &self,
         scene: &Scene,
+        known: Option<&mut KnownLight>,
         seconds: &mut Stages,
         work: &Work<'_>,
     ) -> Result<(Entered, SolvedLight), Failure> {
@@ -330,12 +373,23 @@ impl Model {
         let mut again = Duration::ZERO;
         let first = timed(&mut again, || self.ready.first_light(scene, &emissions, work.ranks));
         seconds.direct += again;
-        let none = Unknowns::default();
-        let light = timed(&mut seconds.solve, || self.light(scene, &emissions, &first, &none, work))?;
+        let find = || match known.filter(|_| self.is_all_carried(&first)) {
+            Some(known) => self.bands(scene).solved_beside(&emissions, known, work),
+            None => self.light(scene, &emissions, &first, &Unknowns::default(), work),
+        };
+        let light = timed(&mut seconds.solve, find)?;
         let entered = Entered { emissions, first };
         let found = timed(&mut again, || self.through_masks(scene, entered, light, work))?;
         seconds.direct += again;
         Ok(found)
+    }
+
+    /// Whether G carries all light between functions of the elements, and systems are solved for it.
+    fn is_all_carried(&self, first: &[EnteringLight]) -> bool {
+        let Options { bounces, solver, .. } = self.ready.options;
+        let are_solved =
+            bounces.is_none() && solver.access != Access::Columns && self.ready.subspace.is_none();
+        are_solved && first.iter().all(|own| matches!(own.entry, DirectLightEntry::Carried))
     }
 
     /// The light of a frame, the scene from which the model was assembled, found from the unknowns `before` of

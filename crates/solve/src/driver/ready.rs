@@ -10,9 +10,8 @@ use radiosity_transport::Demand;
 use radiosity_visibility::Visibility;
 use radiosity_work::ranks::Ranks;
 use radiosity_work::wording::{option, set};
-use radiosity_work::{Stage, Work};
+use radiosity_work::{Allowance, Stage, Work};
 
-use super::allowance::Allowance;
 use super::column_choice::ColumnChoice;
 use super::decisions::{AssemblyPlan, Decisions};
 use super::direct::{Direct, Transfers};
@@ -61,8 +60,8 @@ impl Ready {
     ) -> Result<Self, Failure> {
         require_diffuse(scene, options)?;
         let mut seconds = Stages::default();
-        let decide =
-            || work.during(Stage::Visibility, || plan.decided(scene, options, Allowance::of(work, options)));
+        let left = Allowance::of(work, work.ranks.threads(options.threads));
+        let decide = || work.during(Stage::Visibility, || plan.decided(scene, options, left));
         let decisions = timed(&mut seconds.visibility, decide);
         let elements_before = before.and_then(|kept| kept.blocks.elements());
         let cut = || {

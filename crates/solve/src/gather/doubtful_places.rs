@@ -131,6 +131,11 @@ impl<'a> DoubtfulPlaces<'a> {
         Self { walks: self.walks.paced(pace), shadows: self.shadows.paced(pace), ..self }
     }
 
+    /// As made, but errors are to be small relative to the usual irradiance where less arrives.
+    pub(super) fn beside_usual_light(self) -> Self {
+        Self { walks: self.walks.beside_usual(), shadows: self.shadows.beside_usual(), ..self }
+    }
+
     /// All light of a point in a gap; None elsewhere.
     pub(super) fn in_gap(&self, receiver: &ReceiverPoint) -> Option<ReadIrradiance> {
         self.gaps.hold(receiver).then(|| known_beside(self.walks.read(&Receiver::Point(*receiver))))

@@ -105,6 +105,16 @@ impl<'a> Gathering<'a> {
         Self { by, doubtful: self.doubtful.map(|places| Box::new(places.paced(pace))) }
     }
 
+    /// As made, but readings by rays are to be accurate relative to the usual irradiance where less arrives: what
+    /// counts in the mean of all.
+    pub fn for_mean(self) -> Self {
+        let by = match self.by {
+            GatheredBy::Rays(gather) => GatheredBy::Rays(gather.beside_usual()),
+            by @ GatheredBy::Cells(_) => by,
+        };
+        Self { by, doubtful: self.doubtful.map(|places| Box::new(places.beside_usual_light())) }
+    }
+
     /// All light of a point.
     pub fn read(&self, receiver: &ReceiverPoint) -> ReadIrradiance {
         let in_gap = self.doubtful.as_ref().and_then(|places| places.in_gap(receiver));

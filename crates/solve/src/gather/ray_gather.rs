@@ -148,6 +148,12 @@ impl<'a> RayGather<'a> {
         Self { dark, ..self }
     }
 
+    /// As made, but errors are to be small relative to the usual irradiance where less arrives.
+    pub(super) fn beside_usual(self) -> Self {
+        let usual = self.light.usual.clone();
+        self.with_dark(usual)
+    }
+
     /// As made, but the direct light of points is taken from `direct`.
     pub(super) fn beside(self, direct: DirectLight<'a>) -> Self {
         Self { direct: Some(direct), ..self }

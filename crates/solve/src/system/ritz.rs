@@ -35,6 +35,7 @@ use radiosity_published::bases::Subspace;
 use radiosity_solvers::method::{Access, Method};
 use radiosity_solvers::{Operator, Preconditioner, SolveError};
 
+use super::known_light::NearestLight;
 use super::projected::Projected;
 use super::reduction::Reduction;
 use super::{Coefficients, System};
@@ -159,6 +160,17 @@ impl<'a> Ritz<'a> {
         let arrived = first.system.blocks.apply_to_each(&carried.collect::<Vec<_>>());
         let all = systems.iter().zip(own).zip(unknown).zip(arrived);
         all.map(|(((system, own), unknown), arrived)| system.solution(&own, &unknown, arrived)).collect()
+    }
+
+    /// The solution of a system in the functions of its elements, all light of which G carries, by known light.
+    pub(crate) fn known(&self, NearestLight { radiosity, irradiance, .. }: NearestLight) -> RitzSolution {
+        let (own, unknown) = (self.starting(&irradiance), self.system.unknown_part(&radiosity));
+        self.solution(&own, &unknown, irradiance)
+    }
+
+    /// The unknowns of such a system for the irradiance that all its light makes.
+    pub(crate) fn starting(&self, irradiance: &[f64]) -> Vec<f64> {
+        self.system.halved_unknowns(irradiance)
     }
 
     /// The unknowns of the elements for the unknowns a.

@@ -5,6 +5,7 @@
 //! ```
 
 use radiosity_light::penumbra::{RayEffort, VisibleEmitters};
+use radiosity_work::FORECAST_THREADS;
 use radiosity_work::counted::with_rays;
 use radiosity_work::ranks::Ranks;
 use rayon::prelude::*;
@@ -40,9 +41,6 @@ const OF_UNEVEN: f64 = 0.6;
 
 /// Part of a length by which points follow each other evenly.
 const GOLDEN: f64 = 0.618_033_988_749_895;
-
-/// Cores that forecasts are of.
-const CORES: f64 = 2.0;
 
 /// Nodes of a light field over the square root of the number of places. Measured in pictures of 160 × 120 and 480
 /// × 360: two boxes 16 and 11, the Cornell box 32 and 23, the teapot 12 and 10, an office 25 and 25; in smaller ones
@@ -121,7 +119,7 @@ impl<'a> Trial<'a> {
             Some(_) => BY_RAYS + MORE * self.computed() * self.direct_rays * self.ray(),
         };
         let gathered = if self.light.gathers() { self.gathered() } else { 0.0 };
-        (self.places * place + gathered) / CORES
+        (self.places * place + gathered) / FORECAST_THREADS
     }
 
     /// Seconds of a ray with what is made of it.
