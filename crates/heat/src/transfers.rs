@@ -76,7 +76,7 @@ impl Transfers {
         &self.closure
     }
 
-    /// Makes surfaces of a case idle whose level nothing sets ([`levels::settle`]).
+    /// Makes surfaces of a case idle whose level nothing sets ([`Exchange::settle`]).
     pub(super) fn settle(&self, case: &mut Case) -> Result<(), HeatError> {
         let exchange = self.exchange.get_or_init(|| Exchange::of(&self.model));
         exchange.settle(&case.scene, &mut case.roles, &case.options)
