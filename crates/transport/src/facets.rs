@@ -320,7 +320,9 @@ impl<'a> FacetTransport<'a> {
             segments.send((2 * segments.sent()).min(most));
         }
         if segments.agree() {
-            segments.send(closer.max((asked / MISSED).min(most as f64) as u64));
+            // Where it is not looked up which pairs are clear, too many would have as many.
+            let missed = if self.finds_clear { (asked / MISSED).min(most as f64) as u64 } else { 0 };
+            segments.send(closer.max(missed));
         }
         if !segments.agree() {
             segments.send(segments.needed(asked.recip()).min(most as f64) as u64);
