@@ -53,7 +53,9 @@ impl Case {
         let usual = || usual_rays(scene.surfaces.len(), options.shadow_eps);
         let rays = options.rays.or_else(|| choice.sampled.then(usual));
         let order = if choice.sampled { 0 } else { options.order };
-        let options = Options { transport, rays, order, ..options };
+        // A number of rays that is given is that of all surfaces.
+        let rays_of_pairs = options.rays.is_none();
+        let options = Options { transport, rays, rays_of_pairs, order, ..options };
         Ok(Self { scene, roles, options, choice })
     }
 

@@ -201,7 +201,9 @@ impl Heat {
         work: &Work<'_>,
     ) -> Result<(), HeatError> {
         let tolerance = case.options.tolerance;
-        let reached = case.options.eps.max(self.outcome.accuracy_reached);
+        // The noise of rays tells how far off pairs are.
+        let of_pairs = if self.outcome.sampling.is_some() { 0.0 } else { self.outcome.accuracy_reached };
+        let reached = case.options.eps.max(of_pairs);
         let reached = if self.is_exact { tolerance } else { reached };
         if let Some(noise) = Noise::of(&self.outcome) {
             noise.add_to(&mut self.surfaces);

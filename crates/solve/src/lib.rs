@@ -1,7 +1,8 @@
 //! Solving: elements and blocks → systems → solutions, and what is asked of them.
 //!
 //! In order: `tolerances`, `geometry` (what tells the transfers of a scene from others), `system` (one per band),
-//! `solution` (what it was solved to), `gather` (light at points), `checks` (of energy), `driver` (scene →
+//! `solution` (what it was solved to), `gather` (light at points), `checks` (of energy), `facet_choice` (whether
+//! pairs have rays of their own), `driver` (scene →
 //! solution, timed), `goal` (accuracy that is asked for), `solved` (a scene with its solution), `studies`
 //! (adaptation to a goal, convergence), `animation` (light that follows moving things) and `view_factors`.
 //!
@@ -14,6 +15,7 @@ pub mod system;
 pub mod solution;
 pub mod gather;
 pub mod checks;
+mod facet_choice;
 pub mod driver;
 pub(crate) mod goal;
 pub mod solved;

@@ -31,35 +31,23 @@ mod row_noise;
 mod by_rays;
 mod exchanges;
 mod facet_errors;
+mod constants;
 
-use std::fmt::Debug;
 use std::time::{Duration, Instant};
 
-use radiosity_elements::cells::Layers;
-use radiosity_elements::space::Space;
-use radiosity_elements::{Discretization, Elements, Subdivide};
+use radiosity_elements::Elements;
 use radiosity_kernel::{Blocks, PairCounts, RowError, WorstError};
 use radiosity_scene::Scene;
-use radiosity_solvers::method::Method;
-use radiosity_transport as transport;
-use radiosity_transport::{Demand, FacetExchanges, FacetTransport, FactorEnds};
-use radiosity_visibility::Visibility;
-use radiosity_work::{Progress, Stage, Work};
+use radiosity_transport::FacetExchanges;
+use radiosity_work::{Stage, Work};
 
 use crate::driver::cost::{seconds_of_rays, seconds_of_samples};
-use crate::driver::memory_estimate::MemoryEstimate;
-use crate::driver::{Failure, MemoryReduction, TransportChoice, in_threads};
-use crate::geometry::AssemblyGeometry;
-use by_rays::{Carried, FactorRays};
+use crate::driver::{Failure, TransportChoice, in_threads};
+use constants::{Constants, Found};
 use exchanges::Exchanges;
 use facet_errors::FacetErrors;
 pub use options::Options;
-use plan::Plan;
 use row_noise::RowNoise;
-
-/// Surfaces that go all the way round an axis, at most, of which pairs are looked at before rules are chosen.
-/// Chosen: the pairs of a thousand in a soda shop took 16 s, its rays 9.
-const FEW_RINGS: usize = 100;
 
 /// Errors that are known or asked by which the row sum of a closed scene may miss 1. Chosen: as rows that are told
 /// to be closed.
@@ -68,16 +56,6 @@ const EXPLAINED: f64 = 3.0;
 /// Part of what is asked that rules miss. Measured: at 1e-3 less on most of 45 closed forms, a
 /// third on a paraboloid.
 const REACHED: f64 = 0.1;
-
-/// Fewest surfaces whose pairs have rays of their own. Chosen: a few large ones are told apart better by rays of each.
-const FEWEST_FACETS: usize = 256;
-
-/// Bytes that a pair of small flat surfaces takes, at the most: an exchange, and errors of those of which a part is
-/// hidden. Counted from their types, not measured.
-const FACET_PAIR: f64 = 20.0;
-
-/// Bytes that such pairs take where nothing is said of memory. Chosen.
-const USUALLY_MOST: f64 = 5e9;
 
 /// The view factors of a scene. Only pairs that see each other take memory.
 #[derive(Debug)]
@@ -143,11 +121,11 @@ impl ViewFactors {
     ) -> Result<Self, Failure> {
         let start = Instant::now();
         let found =
-            in_threads(work.ranks.threads(options.threads), || constants(scene, wanted, options, work))??;
+            in_threads(work.ranks.threads(options.threads), || Constants::of(scene, wanted, options, work))??;
         let areas = areas(scene, &found.elements);
         let names = scene.surfaces.iter().map(|surface| surface.name.clone()).collect();
         let is_wanted = |i: usize, j: usize| wanted(i, j) || wanted(j, i);
-        let add_up = || found.factors(areas, names, &is_wanted);
+        let add_up = || factors(found, areas, names, &is_wanted);
         let factors = work.during(Stage::Blocks, add_up);
         Ok(Self { elapsed: start.elapsed(), ..factors })
     }
@@ -251,58 +229,36 @@ fn own_error(error: RowError, area: f64, sum: Option<f64>) -> f64 {
     known.max(missed).max(f64::EPSILON)
 }
 
-/// Elements that carry constants, and what is known of their pairs.
-struct Constants {
-    elements: Elements,
-    choice: TransportChoice,
-    found: Found,
-}
-
-/// Exchanges of elements.
-enum Found {
-    /// Blocks by rules or by rays.
-    Blocks {
-        blocks: Box<Blocks>,
-        /// The errors that rays leave, where they carry the pairs.
-        noise: Option<RowNoise>,
-        exact_pairs: usize,
-    },
-    /// Exchanges of many small flat surfaces.
-    Facets(FacetExchanges),
-}
-
-impl Constants {
-    /// The factors between surfaces of these areas and names, of the pairs that are wanted.
-    fn factors(
-        self,
-        areas: Vec<f64>,
-        names: Vec<String>,
-        is_wanted: &dyn Fn(usize, usize) -> bool,
-    ) -> ViewFactors {
-        let Self { elements, choice, found } = self;
-        match found {
-            Found::Facets(found) => of_facets(found, choice, areas, names),
-            Found::Blocks { blocks, noise, exact_pairs } => {
-                let exchanges = Exchanges::of_blocks(&elements, &blocks, areas.len(), is_wanted);
-                let errors = errors(&elements, &blocks, noise.as_ref(), &areas, &exchanges, is_wanted);
-                ViewFactors {
-                    names,
-                    errors,
-                    exchanges,
-                    areas,
-                    choice,
-                    has_rays_of_pairs: false,
-                    exact_pairs,
-                    pairs: blocks.statistics.pairs,
-                    samples: blocks.statistics.distinct,
-                    rays: blocks.statistics.rays,
-                    left_in_blocks: blocks.statistics.accuracy_reached,
-                    worst_error: blocks.statistics.worst_error.map(|worst| WorstError {
-                        pair: worst.pair.map(|element| elements.list()[element].surface),
-                        ..worst
-                    }),
-                    elapsed: Duration::ZERO,
-                }
+/// The factors between surfaces of these areas and names by their elements, of the pairs that are wanted.
+fn factors(
+    constants: Constants,
+    areas: Vec<f64>,
+    names: Vec<String>,
+    is_wanted: &dyn Fn(usize, usize) -> bool,
+) -> ViewFactors {
+    let Constants { elements, choice, found } = constants;
+    match found {
+        Found::Facets(found) => of_facets(found, choice, areas, names),
+        Found::Blocks { blocks, noise, exact_pairs } => {
+            let exchanges = Exchanges::of_blocks(&elements, &blocks, areas.len(), is_wanted);
+            let errors = errors(&elements, &blocks, noise.as_ref(), &areas, &exchanges, is_wanted);
+            ViewFactors {
+                names,
+                errors,
+                exchanges,
+                areas,
+                choice,
+                has_rays_of_pairs: false,
+                exact_pairs,
+                pairs: blocks.statistics.pairs,
+                samples: blocks.statistics.distinct,
+                rays: blocks.statistics.rays,
+                left_in_blocks: blocks.statistics.accuracy_reached,
+                worst_error: blocks.statistics.worst_error.map(|worst| WorstError {
+                    pair: worst.pair.map(|element| elements.list()[element].surface),
+                    ..worst
+                }),
+                elapsed: Duration::ZERO,
             }
         }
     }
@@ -315,8 +271,8 @@ fn of_facets(
     areas: Vec<f64>,
     names: Vec<String>,
 ) -> ViewFactors {
-    let FacetExchanges { rows, first, pairs, samples, segments, exact } = found;
-    let known = FacetErrors::of(&rows, first);
+    let known = FacetErrors::of(&found);
+    let FacetExchanges { rows, pairs, samples, segments, exact, .. } = found;
     let exchanges = Exchanges::of_facets(rows);
     ViewFactors {
         names,
@@ -358,138 +314,6 @@ fn errors(
     (0..areas.len()).map(error).collect()
 }
 
-fn constants(
-    scene: &Scene,
-    wanted: &(dyn Fn(usize, usize) -> bool + Sync),
-    options: &Options,
-    work: &Work<'_>,
-) -> Result<Constants, Failure> {
-    let mut scene = scene.clone();
-    scene.surfaces.iter_mut().for_each(|surface| surface.order = None);
-    let accuracy = options.block_accuracy();
-    let wanted = |i: usize, j: usize| wanted(i, j) || wanted(j, i);
-    let is_cut = options.subdivide.is_none();
-    let decide = || {
-        let visibility = Visibility::new(&scene, options.shadows, accuracy.shadow_eps);
-        let auto = || Subdivide::Auto { occluded: visibility.any_shadow(), near_layers: false };
-        let how = constant_on(options.subdivide.map_or_else(auto, Subdivide::Uniform));
-        if is_cut && has_few_rings(&scene, &visibility) {
-            keep_whole(&mut scene, &visibility);
-        }
-        let plan = Plan::of(&scene, &how, &wanted, options, &visibility);
-        (visibility, how, plan)
-    };
-    let (visibility, how, Plan { choice, rays, seconds }) = work.during(Stage::Visibility, decide);
-    let expect = |seconds: f64| work.report(Progress::Expected { stage: Stage::Blocks, seconds });
-    if choice.sampled {
-        // Rays find shadows wherever they are.
-        scene.surfaces.iter_mut().for_each(|surface| surface.subdivide = None);
-        let cut = || Elements::new(&scene, &constant_on(Subdivide::Uniform(1)));
-        let elements = work.during(Stage::Elements, cut)?;
-        note_assembly(&scene, &elements, &wanted, &(accuracy, options.shadows, rays), work);
-        if let Some(transport) = facets(&elements, &visibility, options, work) {
-            expect(transport.seconds());
-            let find = || transport.exchanges(&wanted);
-            let found = work.during(Stage::Blocks, find);
-            return Ok(Constants { elements, choice, found: Found::Facets(found) });
-        }
-        expect(seconds);
-        let (is_given, memory) = (options.rays.is_some(), options.memory);
-        let sent = FactorRays {
-            elements: &elements,
-            visibility: &visibility,
-            accuracy,
-            rays,
-            is_given,
-            memory,
-            work,
-        };
-        let Carried { blocks, noise, exact_pairs } = work.during(Stage::Blocks, || sent.carried())?;
-        let found = Found::Blocks { blocks: Box::new(blocks), noise: Some(noise), exact_pairs };
-        return Ok(Constants { elements, choice, found });
-    }
-    expect(seconds);
-    if is_cut && !has_few_rings(&scene, &visibility) {
-        work.during(Stage::Visibility, || keep_whole(&mut scene, &visibility));
-    }
-    require_memory(&scene, &how, options, work)?;
-    let elements = work.during(Stage::Elements, || Elements::new(&scene, &how))?;
-    note_assembly(&scene, &elements, &wanted, &(accuracy, options.shadows), work);
-    let surface = |element: usize| elements.list()[element].surface;
-    let wanted = |a, b| wanted(surface(a), surface(b));
-    let demand = Demand { whole: FactorEnds::Surface, ..Demand::all(&elements, &visibility, accuracy) };
-    let blocks = work.during(Stage::Blocks, || transport::assemble(demand.of(&wanted), None, work));
-    Ok(Constants {
-        elements,
-        choice,
-        found: Found::Blocks { blocks: Box::new(blocks), noise: None, exact_pairs: 0 },
-    })
-}
-
-/// The transport of many small flat surfaces, where these are such, no number of rays is given and memory suffices.
-fn facets<'a>(
-    elements: &'a Elements,
-    visibility: &'a Visibility,
-    options: &Options,
-    work: &'a Work<'a>,
-) -> Option<FacetTransport<'a>> {
-    let list = elements.list();
-    let are_surfaces = list.iter().enumerate().all(|(index, element)| element.surface == index);
-    let needed = FACET_PAIR * 0.5 * (list.len() as f64).powi(2);
-    let fits = needed <= options.memory.map_or(USUALLY_MOST, |bytes| bytes as f64);
-    if options.rays.is_some() || !are_surfaces || list.len() < FEWEST_FACETS || !fits {
-        return None;
-    }
-    FacetTransport::new(elements, visibility, options.accuracy.eps, work)
-}
-
-/// Notes what the factors between the elements of `wanted` pairs of surfaces follow from, by these `options`.
-fn note_assembly(
-    scene: &Scene,
-    elements: &Elements,
-    wanted: &(dyn Fn(usize, usize) -> bool + Sync),
-    options: &dyn Debug,
-    work: &Work<'_>,
-) {
-    let surface = |element: usize| elements.list()[element].surface;
-    let wanted = |a: usize, b: usize| wanted(surface(a), surface(b));
-    work.ranks.note_assembly(&(options, AssemblyGeometry { scene, elements, wanted: &wanted }));
-}
-
-/// Whether few surfaces of a scene go all the way round an axis: pairs of them are looked at before it is known
-/// whether rules carry any.
-fn has_few_rings(scene: &Scene, visibility: &Visibility) -> bool {
-    let is_ring = |surface: &usize| visibility.meridian(*surface).is_some();
-    (0..scene.surfaces.len()).filter(is_ring).count() <= FEW_RINGS
-}
-
-/// Leaves surfaces uncut between whose wholes a rule knows what is seen past coaxial cylinders.
-fn keep_whole(scene: &mut Scene, visibility: &Visibility) {
-    let are_whole = transport::best_whole(visibility, scene.surfaces.len());
-    let whole = scene.surfaces.iter_mut().zip(are_whole).filter(|(_, is_whole)| *is_whole);
-    whole.for_each(|(surface, _)| surface.subdivide = surface.subdivide.or(Some([1, 1])));
-}
-
-/// Elements of constants.
-fn constant_on(subdivide: Subdivide) -> Discretization {
-    Discretization { order: 0, space: Space::Total, subdivide, layers: Layers::NONE }
-}
-
-/// Refuses rules that need more memory than allowed.
-fn require_memory(
-    scene: &Scene,
-    how: &Discretization,
-    options: &Options,
-    work: &Work<'_>,
-) -> Result<(), Failure> {
-    let Some(allowed) = options.memory else { return Ok(()) };
-    let needed = MemoryEstimate::of(scene, how, &Method::CG, work.ranks).peak();
-    match needed <= allowed {
-        true => Ok(()),
-        false => Err(Failure::Memory { needed, allowed, fits: vec![MemoryReduction::SampledTransport] }),
-    }
-}
-
 fn areas(scene: &Scene, elements: &Elements) -> Vec<f64> {
     let area = |surface| elements.of_surface(surface).map(|element| elements.list()[element].area).sum();
     (0..scene.surfaces.len()).map(area).collect()
@@ -500,7 +324,7 @@ mod tests {
     use radiosity_kernel::Accuracy;
 
     use super::*;
-    use crate::driver::Transport;
+    use crate::driver::{MemoryReduction, Transport};
 
     fn factors(scene: &Scene, subdivide: usize) -> ViewFactors {
         let accuracy = Accuracy { eps: 1e-6, shadow_eps: 1e-2 };

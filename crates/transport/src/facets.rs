@@ -6,51 +6,63 @@
 //! ```
 //!
 //! Rays spread over the hemisphere land on each of N elements with 1/N of them, which tells a factor of 10⁻⁴ badly;
-//! here each pair has segments of its own. The first ones decide about most pairs: all are free or none is. Others
+//! here each pair has segments of its own, unless it is clear. The first ones decide about many: none is free. Others
 //! get as many as their error needs, for e below the accuracy asked of the largest factor of either row,
 //!
 //! ```text
 //! e² = ∫∫ κ² · Σ κ_k² (V_k − v)² / (Σ κ_k)² .
 //! ```
 //!
-//! Where n segments agree, one more would not with probability 1/(n + 2) about (P.-S. Laplace's rule of succession),
-//! and by that part of the whole the exchange may err. A pair that matters in a row has more segments, in proportion to
-//! its share of it.
+//! Most pairs are clear: nothing can stand between them, which is looked up where pairs are not too many. Where n segments of another pair agree, and any part of it may be
+//! hidden, one more would not agree with probability 1/(n + 2) (P.-S. Laplace's rule of succession), and by that part of
+//! the whole the exchange may err: n follows from the error asked for, and from the share of the pair in a row.
 //!
-//! Pairs of which a part is hidden, and all of the first segments agree, are missed. A pair of a known part v,
-//! neither 0 nor 1, would have been missed with the probabilities vᵏ, as wholly seen, and (1 − v)ᵏ, as wholly
-//! hidden, and stands for p/(1 − p) pairs that were (D. Horvitz, D. Thompson, *J. Am. Stat. Assoc.* 47 (1952)
-//! 663-685).
+//! Pairs of which a part is hidden, and all of the first segments are stopped, are missed. A pair of a known part v,
+//! neither 0 nor 1, would have been missed by k independent segments with the probability p = (1 − v)ᵏ, and stands for p/(1 − p) pairs that were
+//! (D. Horvitz, D. Thompson, *J. Am. Stat. Assoc.* 47 (1952) 663-685).
 
 mod facet;
+mod clusters;
 mod segments;
 mod row_pairs;
+mod pairs_as_blocks;
 
 use radiosity_elements::Elements;
 use radiosity_kernel::PairCounts;
-use radiosity_visibility::Visibility;
+use radiosity_visibility::{Between, Visibility};
 use radiosity_work::interruption::check_interrupt;
 use radiosity_work::ranks::PartName;
 use radiosity_work::{Stage, Work};
 use serde::{Deserialize, Serialize};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
+use clusters::Clusters;
 use facet::Facet;
 pub use row_pairs::{MixedPair, RowPairs};
-use segments::Segments;
+use segments::{Segments, TOGETHER};
 
-/// Segments by which all pairs are decided about at [`USUAL_EPS`], and of one pair at least and at the most. Chosen:
-/// half a minute of one thread, and two minutes of ten thousand triangles.
+/// Segments by which all pairs would be decided about at [`USUAL_EPS`] if none was clear, and of one pair at least and
+/// at the most. Chosen: ten thousand triangles take two minutes of one thread.
 const FIRST_OF_ALL: f64 = 1e8;
 const FEWEST_FIRST: f64 = 4.0;
 const MOST_FIRST: f64 = 16.0;
 
+/// Most pairs of which it is looked up whether they are clear. Chosen: of more it takes longer than their segments.
+const MOST_LOOKED_UP: f64 = 1.25e7;
+
 /// Accuracy for which these are the numbers.
 const USUAL_EPS: f64 = 1e-3;
+
+/// Part of so many segments that tells as much as they do. Chosen: kernels of most pairs differ by less.
+const TELLING: f64 = 0.75;
 
 /// Fewest segments of a pair of which a part is hidden, and most of them for each of the first ones. Chosen.
 const FEWEST: u64 = 16;
 const MOST: u64 = 64;
+
+/// Part of an exchange that segments that agree may miss, over the error asked for. Chosen: what is missed is then no
+/// more than what rays leave in pairs of which a part is hidden.
+const MISSED: f64 = 2.0;
 
 /// Share of a row from which a pair has the most segments where all agree, and smaller ones in proportion. Chosen: a
 /// row has ten times the most of a pair.
@@ -71,8 +83,11 @@ pub struct FacetTransport<'a> {
     elements: &'a Elements,
     visibility: &'a Visibility,
     facets: Vec<Facet>,
+    clusters: Clusters,
     /// Segments that decide about a pair where all agree.
     first: u64,
+    /// Whether it is looked up which pairs are clear.
+    finds_clear: bool,
     /// Error that is asked for, over the largest factor of a row.
     eps: f64,
     work: &'a Work<'a>,
@@ -85,13 +100,15 @@ pub struct FacetExchanges {
     pub rows: Vec<RowPairs>,
     /// Segments that decided about a pair where all agreed.
     pub first: u64,
+    /// Whether pairs that were not looked at again are clear, not seen wholly as far as these tell.
+    pub are_clear: bool,
     /// Numbers of pairs by how they were treated.
     pub pairs: PairCounts,
     /// Evaluations of the kernel, or of logarithms in contour integrals.
     pub samples: u64,
     /// Segments that were tested.
     pub segments: u64,
-    /// Pairs by contours, of which nothing is hidden as far as segments tell.
+    /// Pairs by contours that are clear, or seen wholly as far as the first segments tell.
     pub exact: usize,
 }
 
@@ -120,16 +137,13 @@ struct FirstLook {
     counts: Counts,
 }
 
-/// Findings of further segments of the pairs of a row that are looked at again.
+/// Findings of further segments of the open pairs of a row.
 #[derive(Debug, Default, Serialize, Deserialize)]
 struct SecondLook {
-    places: Vec<u32>,
     pairs: Vec<MixedPair>,
     segments: u64,
     /// Pairs of which a part is hidden.
     partly_hidden: usize,
-    /// Pairs by contours that had counted as seen wholly, and are not.
-    no_longer_exact: usize,
 }
 
 impl<'a> FacetTransport<'a> {
@@ -145,8 +159,19 @@ impl<'a> FacetTransport<'a> {
         let finer = (USUAL_EPS / eps).max(1.0);
         let pairs = 0.5 * (list.len() as f64).powi(2);
         let first = (finer * FIRST_OF_ALL / pairs).clamp(FEWEST_FIRST, finer * MOST_FIRST) as u64;
-        let facets = list.iter().zip(0..).map(|(element, number)| Facet::of(element, number, first));
-        Some(Self { elements, visibility, facets: facets.collect::<Option<_>>()?, first, eps, work })
+        let facets =
+            list.iter().zip(0..).map(|(element, number)| Facet::of(element, number, first.max(TOGETHER)));
+        let facets = facets.collect::<Option<Vec<Facet>>>()?;
+        Some(Self {
+            elements,
+            visibility,
+            clusters: Clusters::of(&facets),
+            facets,
+            first,
+            finds_clear: pairs <= MOST_LOOKED_UP,
+            eps,
+            work,
+        })
     }
 
     /// About the seconds that two threads take.
@@ -181,13 +206,13 @@ impl<'a> FacetTransport<'a> {
             counts.add(&look.counts);
             counts.segments += second.segments;
             counts.pairs.partly_hidden += second.partly_hidden;
-            counts.exact -= second.no_longer_exact;
-            look.pairs.settle(second.places, second.pairs);
+            look.pairs.settle(second.pairs);
         }
         let Counts { pairs, samples, segments, exact } = counts;
         FacetExchanges {
             rows: looks.into_iter().map(|look| look.pairs).collect(),
             first: self.first,
+            are_clear: self.finds_clear,
             pairs,
             samples,
             segments,
@@ -200,6 +225,13 @@ impl<'a> FacetTransport<'a> {
         let mut look = FirstLook { pairs: RowPairs::default(), whole: Vec::new(), counts: Counts::default() };
         let own = &self.facets[row];
         let list = self.elements.list();
+        let mut between: Vec<Option<Between>> = vec![None; self.clusters.count()];
+        let mut is_clear = |column: usize| {
+            let number = self.clusters.number(column);
+            let cluster = self.clusters.cluster(number);
+            let known = between[number].get_or_insert_with(|| self.visibility.between(own.end(), cluster));
+            self.visibility.is_clear([own.end(), self.facets[column].end()], known)
+        };
         for (column, other) in self.facets.iter().enumerate().skip(row + 1) {
             check_interrupt();
             if !wanted(row, column) {
@@ -217,10 +249,19 @@ impl<'a> FacetTransport<'a> {
             };
             look.counts.samples += samples;
             let mut segments = self.segments(row, column);
-            segments.send(self.first);
+            segments.send(1);
+            let is_clear = self.finds_clear && !segments.are_none_free() && is_clear(column);
+            if !is_clear {
+                segments.send(self.first);
+            }
             look.counts.segments += segments.sent();
             let matters = self.closer(whole / own.area.min(other.area)) > self.first;
-            look.take(column, whole, sight.is_far, matters, &segments);
+            let is_told = !matters && segments.carrying() >= TELLING * FEWEST_FIRST;
+            let is_decided = is_clear || is_told && !self.finds_clear && segments.are_all_free();
+            match is_told && segments.are_none_free() {
+                true => look.counts.pairs.skipped_hidden += 1,
+                false => look.take(column, whole, sight.is_far, is_decided, &segments),
+            }
         }
         look.counts.pairs.total = self.facets.len() - row - 1;
         look.pairs.shrink();
@@ -231,7 +272,7 @@ impl<'a> FacetTransport<'a> {
     fn row_sizes(&self, looks: &[FirstLook]) -> Vec<RowSize> {
         let mut sizes = vec![RowSize::default(); looks.len()];
         for (row, look) in looks.iter().enumerate() {
-            for (column, exchange) in look.pairs.iter() {
+            for (column, exchange) in look.pairs.exchanges.iter() {
                 sizes[row].take(exchange);
                 sizes[column].take(exchange);
             }
@@ -245,35 +286,17 @@ impl<'a> FacetTransport<'a> {
         (most * (share / LARGE).min(1.0)) as u64
     }
 
-    /// As many segments as the pairs need that the first ones leave open, or that matter in a row.
+    /// As many segments as the open pairs of a row need.
     fn second_look(&self, row: usize, look: &FirstLook, sizes: &[RowSize]) -> SecondLook {
         let mut found = SecondLook::default();
-        let mut open = look.pairs.open_places().zip(&look.whole).peekable();
-        for (place, (column, exchange)) in look.pairs.iter().enumerate() {
+        for (column, whole) in look.pairs.open().zip(&look.whole) {
             check_interrupt();
-            let known = open.next_if(|(other, _)| *other as usize == place);
-            let whole = known.map_or(exchange, |(_, whole)| *whole);
             let ends = [sizes[row], sizes[column]];
-            let closer =
-                self.closer(ends.map(|size| whole / size.sum.max(whole)).into_iter().fold(0.0, f64::max));
-            if known.is_none() && closer <= self.first {
-                continue;
-            }
-            let certain = known.is_none() && closer >= MOST * self.first && self.is_clear(row, column);
-            let pair = if certain {
-                MixedPair { whole, part: 1.0, variance: 0.0 }
-            } else {
-                let allowed = self.eps * ends[0].largest.min(ends[1].largest);
-                let (pair, segments) = self.look_again([row, column], whole, closer, allowed);
-                found.segments += segments;
-                pair
-            };
-            let is_seen = pair.part >= 1.0;
-            found.partly_hidden += usize::from(!is_seen && pair.part > 0.0);
-            let is_contour =
-                || self.facets[row].sight_of(&self.facets[column]).is_some_and(|sight| !sight.is_far);
-            found.no_longer_exact += usize::from(known.is_none() && !is_seen && is_contour());
-            found.places.push(place as u32);
+            let share = ends.map(|size| whole / size.sum.max(*whole)).into_iter().fold(0.0, f64::max);
+            let allowed = self.eps * ends[0].largest.min(ends[1].largest);
+            let (pair, segments) = self.look_again([row, column], *whole, self.closer(share), allowed);
+            found.segments += segments;
+            found.partly_hidden += usize::from(pair.is_mixed());
             found.pairs.push(pair);
         }
         found
@@ -289,26 +312,23 @@ impl<'a> FacetTransport<'a> {
         allowed: f64,
     ) -> (MixedPair, u64) {
         let most = MOST * self.first;
+        let asked = whole / allowed;
+        let fewest = FEWEST.min(asked as u64).max(self.first);
         let mut segments = self.segments(row, column);
-        segments.send(FEWEST.max(self.first));
-        while segments.carrying() < FEWEST as f64 && segments.sent() < most {
+        segments.send(fewest);
+        while segments.carrying() < TELLING * fewest as f64 && segments.sent() < most {
             segments.send((2 * segments.sent()).min(most));
         }
         if segments.agree() {
-            segments.send(closer);
+            // Where it is not looked up which pairs are clear, too many would have as many.
+            let missed = if self.finds_clear { (asked / MISSED).min(most as f64) as u64 } else { 0 };
+            segments.send(closer.max(missed));
         }
         if !segments.agree() {
-            segments.send(segments.needed(allowed / whole).min(most as f64) as u64);
+            segments.send(segments.needed(asked.recip()).min(most as f64) as u64);
         }
         let (part, variance) = (segments.part() as f32, segments.variance() as f32);
         (MixedPair { whole, part, variance }, segments.sent())
-    }
-
-    /// Whether nothing can stand between two facets.
-    fn is_clear(&self, row: usize, column: usize) -> bool {
-        let surfaces = [row, column].map(|facet| self.elements.list()[facet].surface);
-        let [own, other] = [row, column].map(|facet| &self.facets[facet].hull);
-        self.visibility.some_candidates(own, other, surfaces, 1).is_empty()
     }
 
     fn segments(&self, row: usize, column: usize) -> Segments<'_> {
@@ -339,20 +359,13 @@ impl Counts {
 }
 
 impl FirstLook {
-    /// Takes a pair of which the first segments tell this; where it `matters` in a row, it is not hidden by these
-    /// alone.
-    fn take(&mut self, column: usize, whole: f64, is_far: bool, matters: bool, segments: &Segments) {
-        let counts = &mut self.counts.pairs;
-        let are_few = segments.carrying() < FEWEST_FIRST;
-        if segments.are_none_free() && !are_few && !matters {
-            counts.skipped_hidden += 1;
-            return;
-        }
+    /// Takes a pair that is decided about to be seen wholly, or of which the first segments tell this.
+    fn take(&mut self, column: usize, whole: f64, is_far: bool, is_decided: bool, segments: &Segments) {
         match is_far {
-            true => counts.separated += 1,
-            false => counts.contour += 1,
+            true => self.counts.pairs.separated += 1,
+            false => self.counts.pairs.contour += 1,
         }
-        if segments.are_all_free() && !are_few {
+        if is_decided {
             self.counts.exact += usize::from(!is_far);
             return self.pairs.push(column, whole);
         }

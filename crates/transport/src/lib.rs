@@ -9,7 +9,7 @@
 //!
 //! In order: `tolerances`, `occlusion` (hiding by blockers), `pair` (one pair of elements), `coaxial` (pairs
 //! about one axis), `known` (blocks from elsewhere), `kept_blocks` (blocks and rays of an earlier scene),
-//! `price` (the cost of a block), `schedule` (all pairs), `sampled` (blocks from rays), `facets` (pairs of many
+//! `price` (the cost of a block), `schedule` (all pairs), `sampled` (blocks from rays), `row_exchanges` (of a surface), `facets` (pairs of many
 //! small flat elements), `unreached` (rays
 //! where rules fail), `assembly` (all blocks) and `carrier` (blocks or links, as checks see them). Quadrature
 //! of one pair stands in `radiosity-kernel`.
@@ -25,6 +25,7 @@ pub mod kept_blocks;
 pub mod price;
 mod schedule;
 pub(crate) mod sampled;
+mod row_exchanges;
 mod facets;
 pub(crate) mod unreached;
 mod assembly;
@@ -37,6 +38,7 @@ pub use facets::{FacetExchanges, FacetTransport, MixedPair, RowPairs};
 pub use kept_blocks::KeptBlocks;
 pub use kept_blocks::kept_rays::RayCounts;
 pub use known::{Known, KnownBlocks};
+pub use row_exchanges::RowExchanges;
 pub use sampled::{Rays, SampledTransport, StandingRays};
 pub use schedule::{BlockWork, ColumnsAsShot, Cost, Demand, FactorEnds, shared, work};
 pub use unreached::FINEST as FINEST_BY_RAYS;

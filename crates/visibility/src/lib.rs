@@ -11,7 +11,7 @@
 //! surfaces), [`silhouette_mesh`], [`Shadows`] (ways to find them), `within` (what lies in a convex solid),
 //! `obstacle` (of what obstacles are made), `shells` (balls with something within), `rays`, [`Surroundings`]
 //! and `whole` (what rays meet first, about a point, what hides as a whole), `screened` (what joined surfaces
-//! hide), [`Visibility`], the noun of the crate; then what a scene says of itself: [`footprints`] (where
+//! hide), `shaft` (whether anything can stand between flat surfaces), [`Visibility`], the noun of the crate; then what a scene says of itself: [`footprints`] (where
 //! bodies stand), [`covered_parts`] (flat surfaces on others) and [`inspection`] (contents, contacts, what
 //! looks wrong).
 //!
@@ -36,6 +36,7 @@ mod rays;
 mod surroundings;
 mod whole;
 mod screened;
+mod shaft;
 pub mod footprints;
 pub mod covered_parts;
 pub mod inspection;
@@ -56,6 +57,7 @@ use obstacle::{Bend, Obstacle};
 pub use screens::End;
 use screens::Screens;
 pub use shadows::Shadows;
+pub use shaft::{Between, FlatEnd, Neighbours};
 pub use shells::Place;
 use shells::Shells;
 use silhouette_mesh::SilhouetteMesh;

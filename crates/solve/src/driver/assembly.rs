@@ -19,6 +19,10 @@ pub(super) fn carried(
     kept: Option<&mut KeptModel>,
 ) -> (Blocks, Option<Sampling>) {
     if let Some(rays) = rays {
+        let by_pairs = if kept.is_none() { subject.sample_pairs() } else { None };
+        if let Some((blocks, sampling)) = by_pairs {
+            return (blocks, Some(sampling));
+        }
         let (blocks, sampling) = subject.sample(rays, kept);
         return (blocks, Some(sampling));
     }

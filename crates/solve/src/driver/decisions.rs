@@ -15,6 +15,7 @@ use super::forecast::rays_in_time;
 use super::memory_need::{MemoryNeed, peak_of_mesh, require_memory_of_mesh};
 use super::options::Options;
 use super::transport_choice::TransportChoice;
+use crate::facet_choice::are_many_flat;
 
 /// The carrier of the pairs of a scene, and the cuts of its surfaces. Scenes that differ only in the places
 /// of some things share a layout: what carries the light of things that turn does not depend on how they
@@ -137,6 +138,7 @@ impl Decisions<'_> {
 /// of the basis.
 fn ground(scene: &Scene, visibility: &Visibility, options: &Options, rays: Option<u64>) -> Ground {
     let subdivide = match (options.subdivide, rays) {
+        (None, Some(_)) if options.rays_of_pairs && are_many_flat(scene) => Subdivide::Uniform(1),
         (None, Some(rays)) => Subdivide::Graded { rays },
         _ => options.exact_cuts(visibility.any_shadow()),
     };

@@ -58,6 +58,9 @@ pub struct Options {
     pub transport: Transport,
     /// Rays of the sampled transport; None: as many as the scene and the accuracy of shadows need.
     pub rays: Option<u64>,
+    /// Whether each pair has rays of its own, where rays carry the pairs of many small flat elements of constants.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub rays_of_pairs: bool,
     /// Multiple of that number, where it is chosen.
     #[serde(default = "once", skip_serializing_if = "is_once")]
     pub finer_rays: u64,
@@ -121,6 +124,7 @@ impl Default for Options {
             kernel: None,
             transport: Transport::Auto,
             rays: None,
+            rays_of_pairs: false,
             finer_rays: once(),
             shadow_eps: 3e-3,
             shadows: Shadows::Auto,

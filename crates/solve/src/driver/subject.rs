@@ -25,6 +25,7 @@ use radiosity_transport::{KeptBlocks, Rays, SampledTransport};
 use radiosity_visibility::Visibility;
 use radiosity_work::{Deadline, Progress, Work};
 
+use crate::facet_choice::{PairBytes, of_many_flat};
 use crate::system::ritz::{Ritz, RitzSolution};
 use crate::system::{Coefficients, System};
 
@@ -63,6 +64,15 @@ const ROUND: u64 = 1 << 21;
 /// Chosen.
 const SENT: f64 = 0.6;
 const AFTER: u32 = 5;
+
+/// Bytes of a pair that has rays of its own: its exchange, two kinds of blocks, and how these are made to close. Counted
+/// from their types, not measured. And bytes of all pairs where nothing is said of memory. Chosen.
+const PAIR: f64 = 200.0;
+const USUALLY_MOST: f64 = 2e9;
+
+/// Accuracy of view factors over that of light that they carry, where each pair has rays of its own. Measured: flows of
+/// heat in a dented ball, sums of a thousand, err by a thirtieth of what the factors do.
+const OF_FACTORS: f64 = 10.0;
 
 /// Relative residual of solutions that only tell brightness or error.
 const ROUGH: f64 = 1e-4;
@@ -114,6 +124,29 @@ impl Subject<'_> {
             kept => transport.keep_rays(kept.map(|kept| &mut kept.blocks)),
         }
         (blocks, sampling)
+    }
+
+    /// The blocks by rays of each pair, and what they are worth; None where elements are few, bent or of polynomials, or
+    /// that is not asked for.
+    pub(super) fn sample_pairs(&self) -> Option<(Blocks, Sampling)> {
+        let Self { elements, visibility, options, work, .. } = *self;
+        if !options.rays_of_pairs {
+            return None;
+        }
+        let bytes = PairBytes { each: PAIR, usually_most: USUALLY_MOST, allowed: options.memory };
+        let eps = OF_FACTORS * options.accuracy().shadow_eps;
+        let found = of_many_flat(elements, visibility, eps, bytes, work)?.exchanges(&|_, _| true);
+        let halves = |rays: Rays| {
+            let part = match rays {
+                Rays::Even => 1.0,
+                Rays::Odd => -1.0,
+                Rays::All => 0.0,
+            };
+            found.blocks(elements, part, work.ranks)
+        };
+        let error = self.error(&halves).ok();
+        let (rays, exact_pairs) = (found.segments, found.exact);
+        Some((halves(Rays::All), Sampling { rays, planned: rays, exact_pairs, error }))
     }
 
     /// Shares of the elements in the light that rays are spread for.
@@ -194,7 +227,7 @@ impl Subject<'_> {
             rays: transport.sent().iter().sum(),
             planned,
             exact_pairs: transport.exact_pairs(),
-            error: self.error(transport).ok().map(|error| error.hypot(of_exact)),
+            error: self.error(&|rays| transport.blocks(rays)).ok().map(|error| error.hypot(of_exact)),
         }
     }
 
@@ -239,7 +272,7 @@ impl Subject<'_> {
             }
             done += now.iter().sum::<u64>();
             if round.is_power_of_two() && round < rounds && until.is_none() {
-                error = self.error(transport).ok();
+                error = self.error(&|rays| transport.blocks(rays)).ok();
             }
         }
     }
@@ -349,9 +382,9 @@ impl Subject<'_> {
     /// ```
     ///
     /// as of so many normal numbers of the mean m and the deviation s of the probed ones.
-    fn error(&self, transport: &SampledTransport) -> Result<f64, SolveError> {
-        let even = self.mean_irradiances(transport, Rays::Even)?;
-        let odd = self.mean_irradiances(transport, Rays::Odd)?;
+    fn error(&self, by: &dyn Fn(Rays) -> Blocks) -> Result<f64, SolveError> {
+        let even = self.mean_irradiances(&by(Rays::Even))?;
+        let odd = self.mean_irradiances(&by(Rays::Odd))?;
         let errors: Vec<f64> =
             even.iter().zip(&odd).map(|(even, odd)| self.half_difference(even, odd)).collect();
         let worst = errors.iter().copied().fold(0.0, f64::max);
@@ -374,14 +407,9 @@ impl Subject<'_> {
         if sum > 0.0 { (difference / sum).sqrt() } else { 0.0 }
     }
 
-    /// Mean irradiance of each element, band by band and probed group by group, by some of the rays.
-    fn mean_irradiances(
-        &self,
-        transport: &SampledTransport,
-        rays: Rays,
-    ) -> Result<Vec<Vec<f64>>, SolveError> {
-        let blocks = transport.blocks(rays);
-        self.solved(&blocks, &self.probed_groups(), &|solved| self.elements.means(&solved.irradiance))
+    /// Mean irradiance of each element, band by band and probed group by group.
+    fn mean_irradiances(&self, blocks: &Blocks) -> Result<Vec<Vec<f64>>, SolveError> {
+        self.solved(blocks, &self.probed_groups(), &|solved| self.elements.means(&solved.irradiance))
     }
 
     /// The figures `of` rough solutions, band by band and group by group.

@@ -2,35 +2,12 @@
 
 use radiosity_elements::Elements;
 use radiosity_kernel::{Blocks, PlacedBlock};
-use radiosity_transport::RowPairs;
+use radiosity_transport::{RowExchanges, RowPairs};
 
 /// The exchanges of pairs of surfaces, each with the surface that comes first.
 #[derive(Debug)]
 pub(super) struct Exchanges {
-    rows: Vec<Row>,
-}
-
-/// The exchanges of a surface with itself and with those after it: columns ascending, and exchanges (length²).
-#[derive(Debug, Default)]
-struct Row {
-    columns: Vec<u32>,
-    exchanges: Vec<f64>,
-}
-
-impl Row {
-    /// The exchange with a surface, by its number, of a row of this number among so many.
-    fn of(&self, column: usize, row: usize, surfaces: usize) -> Option<f64> {
-        // Columns ascend by one at the least.
-        let least = (self.columns.len() + column).saturating_sub(surfaces);
-        let most = (column - row + 1).min(self.columns.len());
-        let own = self.columns.get(least..most)?;
-        let place = own.binary_search(&(column as u32)).ok()?;
-        Some(self.exchanges[least + place])
-    }
-
-    fn iter(&self) -> impl Iterator<Item = (usize, f64)> {
-        self.columns.iter().zip(&self.exchanges).map(|(column, exchange)| (*column as usize, *exchange))
-    }
+    rows: Vec<RowExchanges>,
 }
 
 impl Exchanges {
@@ -58,20 +35,17 @@ impl Exchanges {
 
     /// The exchanges of pairs of surfaces that are one element each.
     pub(super) fn of_facets(rows: Vec<RowPairs>) -> Self {
-        let row = |RowPairs { columns, exchanges, .. }: RowPairs| Row { columns, exchanges };
-        Self { rows: rows.into_iter().map(row).collect() }
+        Self { rows: rows.into_iter().map(|row| row.exchanges).collect() }
     }
 
     /// The row of these exchanges, of which several may have one column.
-    fn summed(mut all: Vec<(u32, f64)>) -> Row {
+    fn summed(mut all: Vec<(u32, f64)>) -> RowExchanges {
         all.sort_by_key(|(column, _)| *column);
-        let mut row = Row::default();
+        let mut row = RowExchanges::default();
         for own in all.chunk_by(|a, b| a.0 == b.0) {
-            row.columns.push(own[0].0);
-            row.exchanges.push(own.iter().map(|(_, exchange)| exchange).sum());
+            row.push(own[0].0 as usize, own.iter().map(|(_, exchange)| exchange).sum());
         }
-        row.columns.shrink_to_fit();
-        row.exchanges.shrink_to_fit();
+        row.shrink();
         row
     }
 
@@ -94,12 +68,12 @@ impl Exchanges {
         (0..self.rows.len()).map(move |i| {
             let mut row: Vec<(usize, f64)> = Vec::new();
             for (k, (own, next)) in self.rows[..i].iter().zip(&mut next).enumerate() {
-                while own.columns.get(*next).is_some_and(|column| (*column as usize) < i) {
+                while own.at(*next).is_some_and(|(column, _)| column < i) {
                     *next += 1;
                 }
-                if own.columns.get(*next).is_some_and(|column| *column as usize == i) {
-                    row.push((k, own.exchanges[*next]));
-                }
+                row.extend(
+                    own.at(*next).filter(|(column, _)| *column == i).map(|(_, exchange)| (k, exchange)),
+                );
             }
             row.extend(self.rows[i].iter());
             row

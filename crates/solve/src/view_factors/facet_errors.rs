@@ -1,44 +1,64 @@
 //! Errors of rows of view factors whose pairs segments have told apart.
 //!
-//! With e² and e⁴ the means of the square and of the fourth power of errors of the exchanges of surface i,
+//! With the deviations e of the exchanges of surface i,
 //!
 //! ```text
 //! m = (Σ e²)² / Σ e⁴ ,     error_i = MOST_OF √(2 ln(1 + m) Σ e⁴ / Σ e²) / A_i ,
 //! ```
 //!
 //! about the largest of m normal errors as large as the largest ones. Pairs of which a part is hidden have their own
-//! errors. Pairs that were taken to be seen or hidden wholly, and are not, err as those found tell that stand for them:
-//! half of that by the row of these, half by all rows, as a row may have found none. To the square are added that of
-//! points, which tell what nothing hides, and that of the largest part by which segments that agree may be wrong.
+//! errors, and stand for those that the first segments took to be hidden wholly: half of that by the row of these, half
+//! by all rows, as a row may have found none.
+//!
+//! Pairs between which something can stand, of exchange x, and of which n segments agree, may be hidden in part
+//! nevertheless. With ρ such pairs that show it for each of which segments agree, and all parts as likely, that is so with
+//! probability ρ/(n + 1) about, and the exchange then errs by more than t with (1 − t/x)ⁿ⁺¹ ≈ exp(−t/s), s = x/(n + 2).
+//! ρ is that of the row and of [`ADDED`] pairs more that are as those of all rows. Of a row
+//!
+//! ```text
+//! s̄² = Σ s⁴/(n + 1) / Σ s²/(n + 1) ,     W = ρ (Σ s²/(n + 1))² / Σ s⁴/(n + 1) ,     missed_i = s̄ ln(1 + W/RARE) / 3 A_i ,
+//! ```
+//!
+//! a third of the error that one row among 1/RARE has. To the squares is added that of points, which tell what nothing
+//! hides.
 
-use radiosity_transport::{FacetTransport, MixedPair, RowPairs};
+use radiosity_transport::{FacetExchanges, FacetTransport, MixedPair};
 
 use super::row_noise::MOST_OF;
 
 /// Part of what is missed that is told by the own row of a surface. Chosen.
 const BY_OWN_ROW: f64 = 0.5;
 
-/// Sums of the errors of each surface.
+/// Pairs of the mean kind that a row is taken to have beside its own. Chosen.
+const ADDED: f64 = 16.0;
+
+/// Rows that may err by more than three times what is told. Chosen.
+const RARE: f64 = 0.01;
+
+/// Most pairs of which a part is seen to be hidden for each of which segments agree: of no fewer segments than a pair
+/// has at the least.
+const MOST_MIXED: f64 = 8.0;
+
+/// Errors of the rows of view factors.
 #[derive(Clone, Debug)]
 pub(super) struct FacetErrors {
-    rows: Vec<Powers>,
-    agreed: Vec<Agreed>,
+    rows: Vec<RowErrors>,
 }
 
-/// Errors of pairs whose segments agree, at the most.
+/// Errors of the exchanges of a surface.
 #[derive(Clone, Copy, Debug, Default)]
-struct Agreed {
-    /// The largest of them (length²).
-    largest: f64,
-    /// The sum of their squares (length⁴).
-    square: f64,
-}
-
-impl Agreed {
-    fn take(&mut self, error: f64) {
-        self.largest = self.largest.max(error);
-        self.square += error * error;
-    }
+struct RowErrors {
+    /// Errors of pairs of which a part is hidden.
+    known: Powers,
+    /// Errors of pairs that were taken to be hidden wholly, told by these.
+    missed: Powers,
+    /// Exchanges.
+    sizes: Powers,
+    /// Σ s²/(n + 1), Σ s⁴/(n + 1) over pairs whose segments agree.
+    agreed: Powers,
+    /// Number of pairs whose segments agree, and of those of which a part is hidden.
+    agreeing: f64,
+    mixed: f64,
 }
 
 /// Sums of squares and of fourth powers (length⁴, length⁸).
@@ -49,101 +69,126 @@ struct Powers {
 }
 
 impl Powers {
+    /// Of one number (length²).
+    fn of(number: f64) -> Self {
+        let square = number * number;
+        Self { square, fourth: square * square }
+    }
+
     fn add(&mut self, other: Self, factor: f64) {
         self.square += factor * other.square;
         self.fourth += factor * other.fourth;
     }
 
-    /// Powers of the pairs that one of a known part stands for, which the `first` segments missed.
+    /// Powers of the pairs that one of a known part stands for, of which all of the `first` segments were stopped.
     fn missed(pair: &MixedPair, first: u64) -> Self {
-        let (v, first) = (f64::from(pair.part), first as i32);
-        if v <= 0.0 || v >= 1.0 {
-            return Self::default();
-        }
-        let [seen, hidden] = [v, 1.0 - v].map(|part| part.powi(first));
-        let known = (1.0 - seen - hidden).max(f64::MIN_POSITIVE);
-        let mean = |power: i32| {
-            pair.whole.powi(power) * (seen * (1.0 - v).powi(power) + hidden * v.powi(power)) / known
-        };
-        Self { square: mean(2), fourth: mean(4) }
+        let mut missed = Self::default();
+        missed.add(Self::of(f64::from(pair.part) * pair.whole), pair.missed(first));
+        missed
     }
 
-    /// Powers of the error of a pair.
+    /// Powers of the deviation of a pair.
     fn known(pair: &MixedPair) -> Self {
-        let square = pair.whole * pair.whole * f64::from(pair.variance);
-        Self { square, fourth: 3.0 * square * square }
+        Self::of(pair.whole * f64::from(pair.variance).sqrt())
+    }
+
+    /// About the largest of errors of these sums (length²).
+    fn largest(&self) -> f64 {
+        let Self { square, fourth } = self;
+        if *fourth <= 0.0 {
+            return 0.0;
+        }
+        let count = square * square / fourth;
+        MOST_OF * (2.0 * count.ln_1p() * fourth / square).sqrt()
+    }
+}
+
+impl RowErrors {
+    /// Takes a pair that was looked at again, about which so many segments decided first.
+    fn take(&mut self, pair: &MixedPair, first: u64) {
+        if pair.is_mixed() {
+            self.mixed += 1.0;
+            self.known.add(Powers::known(pair), 1.0);
+            self.missed.add(Powers::missed(pair, first), 1.0);
+            return;
+        }
+        // s/x = 1/(n + 2).
+        let scale = f64::from(pair.variance).sqrt();
+        self.agreeing += 1.0;
+        self.agreed.add(Powers::of(pair.whole * scale), scale / (1.0 - scale));
+    }
+
+    fn add(&mut self, other: &Self) {
+        self.missed.add(other.missed, 1.0);
+        self.sizes.add(other.sizes, 1.0);
+        self.agreeing += other.agreeing;
+        self.mixed += other.mixed;
+    }
+
+    /// Adds what is told by all rows.
+    fn pool(&mut self, all: &Self) {
+        let part =
+            |found: f64, whole: f64| if whole > 0.0 { (1.0 - BY_OWN_ROW) * found / whole } else { 0.0 };
+        let square = self.sizes.square * part(all.missed.square, all.sizes.square);
+        let fourth = self.sizes.fourth * part(all.missed.fourth, all.sizes.fourth);
+        self.known.add(self.missed, BY_OWN_ROW);
+        self.known.add(Powers { square, fourth }, 1.0);
+        let mixed = (self.mixed + ADDED * (all.mixed + 1.0) / (all.agreeing + 1.0)) / (self.agreeing + ADDED);
+        let Powers { square, fourth } = self.agreed;
+        let mixed = mixed.min(MOST_MIXED);
+        self.agreed = Powers { square: mixed * square, fourth: mixed * fourth };
+    }
+
+    /// About the largest error of an exchange that segments that agree miss (length²).
+    fn missed(&self) -> f64 {
+        let Powers { square, fourth } = self.agreed;
+        if fourth <= 0.0 {
+            return 0.0;
+        }
+        (fourth / square).sqrt() * (square * square / fourth / RARE).ln_1p() / 3.0
     }
 }
 
 impl FacetErrors {
-    /// The errors of these rows of pairs, about which so many segments decided first.
-    pub(super) fn of(rows: &[RowPairs], first: u64) -> Self {
-        let nothing = || vec![Powers::default(); rows.len()];
-        let (mut sums, mut missed, mut sizes) = (nothing(), nothing(), nothing());
-        let mut agreed = vec![Agreed::default(); rows.len()];
-        let unknown = 1.0 / (first as f64 + 2.0);
+    /// The errors of these exchanges.
+    pub(super) fn of(exchanges: &FacetExchanges) -> Self {
+        let FacetExchanges { rows, first, .. } = exchanges;
+        let mut found = vec![RowErrors::default(); rows.len()];
         for (row, pairs) in rows.iter().enumerate() {
-            for (column, pair) in pairs.mixed() {
-                if pair.part <= 0.0 || pair.part >= 1.0 {
-                    let error = pair.whole * f64::from(pair.variance).sqrt();
-                    [row, column].iter().for_each(|end| agreed[*end].take(error));
-                    continue;
-                }
-                for end in [row, column] {
-                    sums[end].add(Powers::known(pair), 1.0);
-                    missed[end].add(Powers::missed(pair, first), 1.0);
-                }
-            }
             for (column, exchange) in pairs.decided() {
-                [row, column].iter().for_each(|end| agreed[*end].take(exchange * unknown));
+                if let Some(pair) = exchanges.decided(exchange) {
+                    [row, column].iter().for_each(|end| found[*end].take(&pair, *first));
+                }
             }
-            for (column, exchange) in pairs.iter() {
-                let square = exchange * exchange;
-                [row, column]
-                    .iter()
-                    .for_each(|end| sizes[*end].add(Powers { square, fourth: square * square }, 1.0));
+            for (column, pair) in pairs.mixed() {
+                [row, column].iter().for_each(|end| found[*end].take(pair, *first));
+            }
+            for (column, exchange) in pairs.exchanges.iter() {
+                [row, column].iter().for_each(|end| found[*end].sizes.add(Powers::of(exchange), 1.0));
             }
         }
-        let all = |list: &[Powers]| {
-            list.iter().fold(Powers::default(), |mut all, own| {
-                all.add(*own, 1.0);
-                all
-            })
-        };
-        let (found, whole) = (all(&missed), all(&sizes));
-        let part =
-            |found: f64, whole: f64| if whole > 0.0 { (1.0 - BY_OWN_ROW) * found / whole } else { 0.0 };
-        let [squares, fourths] = [part(found.square, whole.square), part(found.fourth, whole.fourth)];
-        for ((sum, missed), size) in sums.iter_mut().zip(&missed).zip(&sizes) {
-            sum.add(*missed, BY_OWN_ROW);
-            sum.add(Powers { square: squares * size.square, fourth: fourths * size.fourth }, 1.0);
-        }
-        Self { rows: sums, agreed }
+        let mut all = RowErrors::default();
+        found.iter().for_each(|row| all.add(row));
+        found.iter_mut().for_each(|row| row.pool(&all));
+        Self { rows: found }
     }
 
     /// About the largest error of a factor of each surface of these areas, whose largest exchanges these are.
     pub(super) fn largest(&self, areas: &[f64], exchanges: &[f64]) -> Vec<f64> {
-        let error = |row: usize| {
-            let known = largest(&self.rows[row]).hypot(self.agreed[row].largest);
-            let by_points = FacetTransport::error_of_points() * exchanges[row];
-            (known.hypot(by_points) / areas[row]).max(f64::EPSILON)
+        let rows = self.rows.iter().zip(areas).zip(exchanges);
+        let error = |((row, area), exchange): ((&RowErrors, &f64), &f64)| {
+            let by_points = FacetTransport::error_of_points() * exchange;
+            (row.known.largest().hypot(row.missed()).hypot(by_points) / area).max(f64::EPSILON)
         };
-        (0..areas.len()).map(error).collect()
+        rows.map(error).collect()
     }
 
     /// About the largest error of the row sums of surfaces of these areas.
     pub(super) fn of_sums(&self, areas: &[f64]) -> f64 {
-        let error = |row: usize| (self.rows[row].square + self.agreed[row].square).sqrt() / areas[row];
-        let largest = (0..areas.len()).map(error).fold(0.0, f64::max);
+        // E e² = 2 s² of an exponential law.
+        let error =
+            |(row, area): (&RowErrors, &f64)| (row.known.square + 2.0 * row.agreed.square).sqrt() / area;
+        let largest = self.rows.iter().zip(areas).map(error).fold(0.0, f64::max);
         largest.hypot(FacetTransport::error_of_points())
     }
-}
-
-/// About the largest of errors of these sums (length²).
-fn largest(Powers { square, fourth }: &Powers) -> f64 {
-    if *fourth <= 0.0 {
-        return 0.0;
-    }
-    let count = square * square / fourth;
-    MOST_OF * (2.0 * count.ln_1p() * fourth / square).sqrt()
 }

@@ -9,6 +9,8 @@ use radiosity_elements::sampling::kronecker;
 use radiosity_elements::sampling::shift::{shift, shifted};
 use radiosity_geom::{DVec3, Plane, touching};
 use radiosity_kernel::rules::contour;
+use radiosity_visibility::FlatEnd;
+use radiosity_visibility::bounding_ball::Ball;
 
 /// Distance of two facets over the sum of their radii from which points tell their exchange.
 const FAR: f64 = 4.0;
@@ -22,9 +24,11 @@ const THIRDS: [[f64; 2]; 3] = [[1.0 / 6.0, 1.0 / 6.0], [2.0 / 3.0, 1.0 / 6.0], [
 /// A flat element of a constant.
 #[derive(Debug)]
 pub(super) struct Facet {
-    pub plane: Plane,
-    /// Its corners.
-    pub hull: Vec<DVec3>,
+    plane: Plane,
+    /// Its corners, and the ball around them.
+    hull: Vec<DVec3>,
+    ball: Ball,
+    surface: usize,
     /// Its area (length²).
     pub area: f64,
     center: DVec3,
@@ -75,7 +79,9 @@ impl Facet {
         let first = [place(End::Start), place(End::Stop)];
         Some(Self {
             plane,
+            ball: Ball::around(&hull),
             hull,
+            surface: element.surface,
             area: element.area,
             center,
             radius,
@@ -100,6 +106,17 @@ impl Facet {
         let far = FAR * (self.radius + other.radius);
         let is_apart = self.center.distance_squared(other.center) > far * far;
         Some(Sight { is_far: is_apart && low >= 0.0 && other_low >= 0.0 })
+    }
+
+    /// Its centre.
+    pub(super) fn center(&self) -> DVec3 {
+        self.center
+    }
+
+    /// The facet as an end of a shaft.
+    pub(super) fn end(&self) -> FlatEnd<'_> {
+        let Self { surface, plane, hull, ball, .. } = self;
+        FlatEnd { surface: *surface, plane: *plane, hull, ball: *ball }
     }
 
     /// Least and largest height of the corners of another facet over the plane of this one.

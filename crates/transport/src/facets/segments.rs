@@ -1,8 +1,18 @@
 //! Segments between two facets, which tell the part of their exchange that nothing hides.
+//!
+//! Their ends are spread evenly over either facet. Each [`TOGETHER`] of them are paired anew: in one sequence of both ends
+//! numbers of two of its four dimensions lie on a few lines, as do bars that stand along what is between.
 
+use radiosity_elements::sampling::shift::shift;
 use radiosity_visibility::Visibility;
 
 use super::facet::{End, Facet};
+
+/// Segments whose ends are paired among themselves.
+pub(super) const TOGETHER: u64 = 16;
+
+/// Step from one end to the next one's partner: odd, so that each is paired once.
+const STEP: u64 = 5;
 
 /// Segments between two facets, from the first on.
 pub(super) struct Segments<'a> {
@@ -10,6 +20,8 @@ pub(super) struct Segments<'a> {
     /// The surface that they start on.
     surface: usize,
     visibility: &'a Visibility,
+    /// Number of the pair.
+    number: u64,
     sent: u64,
     /// Σ κ, Σ κ V, Σ κ², Σ κ² V.
     all: f64,
@@ -27,14 +39,26 @@ impl<'a> Segments<'a> {
         visibility: &'a Visibility,
     ) -> Self {
         let facets = [first, other];
-        Self { facets, surface, visibility, sent: 0, all: 0.0, free: 0.0, squares: 0.0, free_squares: 0.0 }
+        let [one, two] = facets.map(|facet| facet.end().surface as u64);
+        let number = (one << 32) ^ two;
+        Self {
+            facets,
+            surface,
+            visibility,
+            number,
+            sent: 0,
+            all: 0.0,
+            free: 0.0,
+            squares: 0.0,
+            free_squares: 0.0,
+        }
     }
 
     /// Sends segments until there are so many.
     pub(super) fn send(&mut self, count: u64) {
         let [first, other] = self.facets;
         for index in self.sent..count {
-            let ends = [first.point(End::Start, index), other.point(End::Stop, index)];
+            let ends = [first.point(End::Start, index), other.point(End::Stop, self.partner(index))];
             let kernel = first.kernel(ends, other);
             self.all += kernel;
             self.squares += kernel * kernel;
@@ -44,6 +68,13 @@ impl<'a> Segments<'a> {
             }
         }
         self.sent = self.sent.max(count);
+    }
+
+    /// The end where the segment stops that starts at the end of this index.
+    fn partner(&self, index: u64) -> u64 {
+        let (round, place) = (index / TOGETHER, index % TOGETHER);
+        let [turn] = shift::<1>(self.number ^ (round << 16));
+        round * TOGETHER + (STEP * place + (turn * TOGETHER as f64) as u64) % TOGETHER
     }
 
     /// Segments so far.
