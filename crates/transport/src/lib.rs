@@ -9,10 +9,10 @@
 //!
 //! In order: `tolerances`, `occlusion` (hiding by blockers), `pair` (one pair of elements), `coaxial` (pairs
 //! about one axis), `known` (blocks from elsewhere), `kept_blocks` (blocks and rays of an earlier scene),
-//! `price` (the cost of a block), `schedule` (all pairs), `sampled` (blocks from rays), `row_exchanges` (of a surface), `facets` (pairs of many
-//! small flat elements), `unreached` (rays
-//! where rules fail), `assembly` (all blocks) and `carrier` (blocks or links, as checks see them). Quadrature
-//! of one pair stands in `radiosity-kernel`.
+//! `price` (the cost of a block), `schedule` (all pairs), `sampled` (blocks from rays), `row_exchanges` (of a
+//! surface), `facets` (pairs of many small flat elements), `unreached` (rays where rules fail), `assembly` (all
+//! blocks) and `carrier` (blocks or links, as checks see them). Quadrature of one pair stands in
+//! `radiosity-kernel`.
 //!
 //! Imports `core`, `geom`, `work`, `scene`, `visibility`, `elements` and `kernel`.
 

@@ -80,7 +80,7 @@ struct Sides {
 }
 
 impl Sides {
-    /// Those of points; those of none for no plane.
+    /// On which sides of a plane points lie; on none for no plane.
     fn of(points: &[DVec3], plane: Option<Plane>, room: f64) -> Self {
         let Some(plane) = plane else { return Self { is_before: false, is_behind: false } };
         let mut sides = Self { is_before: true, is_behind: true };

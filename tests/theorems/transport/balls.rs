@@ -118,8 +118,8 @@ fn concentric_spheres_see_each_other_as_exactly_as_asked() {
     }
 }
 
-/// A ball anywhere within a sphere takes all that leaves it, by their areas, however narrow the gap: by a closed form, in
-/// sums that do not grow without an end.
+/// A ball anywhere within a sphere takes all that leaves it, by their areas, however narrow the gap: by a
+/// closed form, in sums that do not grow without an end.
 #[test]
 fn balls_within_spheres_are_known_at_any_gap() {
     for (radius, off_centre) in [(0.2, 0.9), (0.9, 0.0), (0.99, 0.5), (0.999, 0.0), (0.999, 0.9)] {

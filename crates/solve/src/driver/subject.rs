@@ -65,8 +65,9 @@ const ROUND: u64 = 1 << 21;
 const SENT: f64 = 0.6;
 const AFTER: u32 = 5;
 
-/// Bytes of a pair that has rays of its own: its exchange, two kinds of blocks, and how these are made to close. Counted
-/// from their types, not measured. And bytes of all pairs where nothing is said of memory. Chosen.
+/// Bytes of a pair that has rays of its own: its exchange, two kinds of blocks, and how these are made to
+/// close. Counted from their types, not measured. And bytes of all pairs where nothing is said of memory.
+/// Chosen.
 const PAIR: f64 = 200.0;
 const USUALLY_MOST: f64 = 2e9;
 
@@ -126,8 +127,8 @@ impl Subject<'_> {
         (blocks, sampling)
     }
 
-    /// The blocks by rays of each pair, and what they are worth; None where elements are few, bent or of polynomials, or
-    /// that is not asked for.
+    /// The blocks by rays of each pair, and what they are worth; None where elements are few, bent or of
+    /// polynomials, or that is not asked for.
     pub(super) fn sample_pairs(&self) -> Option<(Blocks, Sampling)> {
         let Self { elements, visibility, options, work, .. } = *self;
         if !options.rays_of_pairs {

@@ -11,12 +11,14 @@
 //! by all rows, as a row may have found none.
 //!
 //! Pairs between which something can stand, of exchange x, and of which n segments agree, may be hidden in part
-//! nevertheless. With ρ such pairs that show it for each of which segments agree, and all parts as likely, that is so with
-//! probability ρ/(n + 1) about, and the exchange then errs by more than t with (1 − t/x)ⁿ⁺¹ ≈ exp(−t/s), s = x/(n + 2).
-//! ρ is that of the row and of [`ADDED`] pairs more that are as those of all rows. Of a row
+//! nevertheless. With ρ such pairs that show it for each of which segments agree, and all parts as likely, that
+//! is so with probability ρ/(n + 1) about, and the exchange then errs by more than t with (1 − t/x)ⁿ⁺¹ ≈
+//! exp(−t/s), s = x/(n + 2). ρ is that of the row and of [`ADDED`] pairs more that are as those of all rows. Of
+//! a row
 //!
 //! ```text
-//! s̄² = Σ s⁴/(n + 1) / Σ s²/(n + 1) ,     W = ρ (Σ s²/(n + 1))² / Σ s⁴/(n + 1) ,     missed_i = s̄ ln(1 + W/RARE) / 3 A_i ,
+//! s̄² = Σ s⁴/(n + 1) / Σ s²/(n + 1) ,     W = ρ (Σ s²/(n + 1))² / Σ s⁴/(n + 1) ,
+//! missed_i = s̄ ln(1 + W/RARE) / 3 A_i ,
 //! ```
 //!
 //! a third of the error that one row among 1/RARE has. To the squares is added that of points, which tell what nothing

@@ -17,7 +17,7 @@ pub(super) struct Clusters {
 }
 
 impl Clusters {
-    /// Those of all facets, by halves along the longest side of the box around their centres.
+    /// Clusters of all facets, by halves along the longest side of the box around their centres.
     pub(super) fn of(facets: &[Facet]) -> Self {
         let mut clusters = Self { list: Vec::new(), of: vec![0; facets.len()] };
         let mut all: Vec<u32> = (0..facets.len() as u32).collect();

@@ -15,8 +15,8 @@ use radiosity_work::ranks::Ranks;
 
 use super::{BY_POINTS, FacetExchanges, MixedPair};
 
-/// Independent segments that miss as much as one of those that are spread evenly. Chosen: with 1 rows of dented balls err
-/// by a third of what is told (median), and all but one in a hundred by less than what is told.
+/// Independent segments that miss as much as one of those that are spread evenly. Chosen: with 1 rows of dented
+/// balls err by a third of what is told (median), and all but one in a hundred by less than what is told.
 const EVEN: i32 = 2;
 
 impl FacetExchanges {
@@ -78,8 +78,9 @@ impl MixedPair {
         hidden / (1.0 - hidden - seen).max(f64::MIN_POSITIVE)
     }
 
-    /// Deviation of its exchange (length²), with that of the pairs that it stands for; where its segments agree, the root
-    /// of the mean square, if so many pairs are hidden in part for each of which segments agree.
+    /// Deviation of its exchange (length²), with that of the pairs that it stands for; where its segments
+    /// agree, the root of the mean square, if so many pairs are hidden in part for each of which segments
+    /// agree.
     fn deviation(&self, first: u64, ratio: f64) -> f64 {
         let (part, variance) = (f64::from(self.part), f64::from(self.variance));
         if self.is_mixed() {

@@ -1,7 +1,8 @@
 //! Segments between two facets, which tell the part of their exchange that nothing hides.
 //!
-//! Their ends are spread evenly over either facet. Each [`TOGETHER`] of them are paired anew: in one sequence of both ends
-//! numbers of two of its four dimensions lie on a few lines, as do bars that stand along what is between.
+//! Their ends are spread evenly over either facet. Each [`TOGETHER`] of them are paired anew: in one sequence
+//! of both ends numbers of two of its four dimensions lie on a few lines, as do bars that stand along what is
+//! between.
 
 use radiosity_elements::sampling::shift::shift;
 use radiosity_visibility::Visibility;
