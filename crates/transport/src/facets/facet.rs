@@ -29,6 +29,8 @@ pub(super) struct Facet {
     hull: Vec<DVec3>,
     ball: Ball,
     surface: usize,
+    /// Number of its element.
+    number: u64,
     /// Its area (length²).
     pub area: f64,
     center: DVec3,
@@ -82,6 +84,7 @@ impl Facet {
             ball: Ball::around(&hull),
             hull,
             surface: element.surface,
+            number,
             area: element.area,
             center,
             radius,
@@ -106,6 +109,11 @@ impl Facet {
         let far = FAR * (self.radius + other.radius);
         let is_apart = self.center.distance_squared(other.center) > far * far;
         Some(Sight { is_far: is_apart && low >= 0.0 && other_low >= 0.0 })
+    }
+
+    /// Number of its element.
+    pub(super) fn number(&self) -> u64 {
+        self.number
     }
 
     /// Its centre.

@@ -15,10 +15,6 @@ use radiosity_work::ranks::Ranks;
 
 use super::{BY_POINTS, FacetExchanges, MixedPair};
 
-/// Independent segments that miss as much as one of those that are spread evenly. Chosen: with 1 rows of dented
-/// balls err by a third of what is told (median), and all but one in a hundred by less than what is told.
-const EVEN: i32 = 2;
-
 impl FacetExchanges {
     /// The blocks between `elements`, off by this part of their deviations.
     pub fn blocks(&self, elements: &Elements, part: f64, ranks: &Ranks) -> Blocks {
@@ -73,8 +69,7 @@ impl MixedPair {
 
     /// Pairs of its kind for each that shows it, of which so many first segments were all stopped.
     pub fn missed(&self, first: u64) -> f64 {
-        let independent = EVEN * first as i32;
-        let [seen, hidden] = [self.part, 1.0 - self.part].map(|part| f64::from(part).powi(independent));
+        let [seen, hidden] = [self.part, 1.0 - self.part].map(|part| f64::from(part).powi(first as i32));
         hidden / (1.0 - hidden - seen).max(f64::MIN_POSITIVE)
     }
 

@@ -1,8 +1,8 @@
 //! Segments between two facets, which tell the part of their exchange that nothing hides.
 //!
-//! Their ends are spread evenly over either facet. Each [`TOGETHER`] of them are paired anew: in one sequence
-//! of both ends numbers of two of its four dimensions lie on a few lines, as do bars that stand along what is
-//! between.
+//! Their ends are spread evenly over either facet. Each [`TOGETHER`] of them are paired at random: in one
+//! sequence of both ends, or by a fixed step, numbers of two of the four dimensions lie on a few lines, as do
+//! bars that stand along what is between.
 
 use radiosity_elements::sampling::shift::shift;
 use radiosity_visibility::Visibility;
@@ -12,8 +12,8 @@ use super::facet::{End, Facet};
 /// Segments whose ends are paired among themselves.
 pub(super) const TOGETHER: u64 = 16;
 
-/// Step from one end to the next one's partner: odd, so that each is paired once.
-const STEP: u64 = 5;
+/// Places of the partners of the ends of a round, each once.
+type Partners = [u8; TOGETHER as usize];
 
 /// Segments between two facets, from the first on.
 pub(super) struct Segments<'a> {
@@ -23,6 +23,7 @@ pub(super) struct Segments<'a> {
     visibility: &'a Visibility,
     /// Number of the pair.
     number: u64,
+    partners: Partners,
     sent: u64,
     /// Σ κ, Σ κ V, Σ κ², Σ κ² V.
     all: f64,
@@ -40,13 +41,14 @@ impl<'a> Segments<'a> {
         visibility: &'a Visibility,
     ) -> Self {
         let facets = [first, other];
-        let [one, two] = facets.map(|facet| facet.end().surface as u64);
+        let [one, two] = facets.map(Facet::number);
         let number = (one << 32) ^ two;
         Self {
             facets,
             surface,
             visibility,
             number,
+            partners: partners(number, 0),
             sent: 0,
             all: 0.0,
             free: 0.0,
@@ -59,7 +61,8 @@ impl<'a> Segments<'a> {
     pub(super) fn send(&mut self, count: u64) {
         let [first, other] = self.facets;
         for index in self.sent..count {
-            let ends = [first.point(End::Start, index), other.point(End::Stop, self.partner(index))];
+            let partner = self.partner(index);
+            let ends = [first.point(End::Start, index), other.point(End::Stop, partner)];
             let kernel = first.kernel(ends, other);
             self.all += kernel;
             self.squares += kernel * kernel;
@@ -71,11 +74,13 @@ impl<'a> Segments<'a> {
         self.sent = self.sent.max(count);
     }
 
-    /// The end where the segment stops that starts at the end of this index.
-    fn partner(&self, index: u64) -> u64 {
+    /// The end where the segment stops that starts at the end of this index, the next one.
+    fn partner(&mut self, index: u64) -> u64 {
         let (round, place) = (index / TOGETHER, index % TOGETHER);
-        let [turn] = shift::<1>(self.number ^ (round << 16));
-        round * TOGETHER + (STEP * place + (turn * TOGETHER as f64) as u64) % TOGETHER
+        if place == 0 && round > 0 {
+            self.partners = partners(self.number, round);
+        }
+        round * TOGETHER + u64::from(self.partners[place as usize])
     }
 
     /// Segments so far.
@@ -122,5 +127,37 @@ impl<'a> Segments<'a> {
     /// Segments that are needed for this error of v.
     pub(super) fn needed(&self, error: f64) -> f64 {
         self.sent as f64 * self.variance() / (error * error)
+    }
+}
+
+/// The partners of a round of a pair: a permutation by random draws (R. Durstenfeld, *Comm. ACM* 7 (1964) 420).
+fn partners(pair: u64, round: u64) -> Partners {
+    let draws = shift::<{ TOGETHER as usize }>(pair.wrapping_add(round << 20).wrapping_mul(TOGETHER));
+    let mut partners: Partners = std::array::from_fn(|place| place as u8);
+    for (place, draw) in draws.into_iter().enumerate().skip(1) {
+        partners.swap(place, (draw * (place + 1) as f64) as usize);
+    }
+    partners
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A fixed step from partner to partner would put numbers of both ends on a few lines.
+    #[test]
+    fn ends_are_paired_once_in_a_round_and_by_no_step() {
+        const PAIRS: u64 = 16_000;
+        let mut steps = [0u64; TOGETHER as usize];
+        for pair in 0..PAIRS {
+            let partners = partners(pair, pair % 3);
+            let mut sorted = partners;
+            sorted.sort_unstable();
+            assert!(sorted.iter().copied().eq(0..TOGETHER as u8), "{partners:?}");
+            steps[usize::from((16 + partners[8] - partners[7]) % 16)] += 1;
+        }
+        let usual = PAIRS as f64 / (TOGETHER - 1) as f64;
+        let is_usual = |count: &u64| (*count as f64 - usual).abs() < 5.0 * usual.sqrt();
+        assert!(steps[0] == 0 && steps[1..].iter().all(is_usual), "{steps:?}");
     }
 }
