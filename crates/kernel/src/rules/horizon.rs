@@ -83,7 +83,6 @@ use cell::{Cell, DIRECTIONS, Whole};
 use flat_part::FlatPart;
 pub use front::Front;
 use front::Nodes;
-use margin::Place;
 use part::Part;
 use queue::Queue;
 use swept_part::SweptPart;
@@ -460,26 +459,54 @@ impl Job<'_> {
         nodes: &[WeightedNode],
         seen: &[f64],
     ) -> [f64; 2] {
-        let columns = self.columns;
-        let zeros = vec![0.0; self.outer.basis.len() * columns];
-        let mut largest = seen.iter().step_by(columns).fold(0.0f64, |most, w| most.max(w.abs()));
-        let mut terms = Vec::new();
-        for Place { direction, at, area } in margin::places(points, nodes) {
-            let node = patch.node(at[0], at[1]);
-            let mut off = margin::interpolated(points, seen, columns, at);
-            let mut right = vec![0.0; columns];
-            self.add_seen(node, &mut right);
-            largest = largest.max(right[0].abs());
-            off.iter_mut().zip(&right).for_each(|(off, w)| *off -= w);
-            let mut moments = zeros.clone();
-            self.add_product(&WeightedNode { node, weight: area }, &off, &mut moments);
-            terms.push((direction, off[0].abs(), self.norm.difference(&moments, &zeros)));
+        let margin::Margins { places, corners } = margin::margins(points, nodes);
+        let mut largest = seen.iter().step_by(self.columns).fold(0.0f64, |most, w| most.max(w.abs()));
+        let sides: Vec<Vec<f64>> =
+            places.iter().map(|place| self.off(patch, points, seen, place.at, &mut largest)).collect();
+        let mut at_corners = Vec::new();
+        for corner in &corners {
+            let mut off = self.off(patch, points, seen, corner.at, &mut largest);
+            for k in corner.beside {
+                off.iter_mut().zip(&sides[k]).for_each(|(off, beside)| *off -= beside);
+            }
+            at_corners.push(off);
         }
         let mut missed = [0.0; 2];
-        for (direction, off, most) in terms {
-            missed[direction] += most * margin::share(off, largest);
+        for (place, off) in places.iter().zip(&sides) {
+            let node = patch.node(place.at[0], place.at[1]);
+            missed[place.direction] += self.carried(WeightedNode { node, weight: place.area }, off, largest);
+        }
+        for (corner, off) in corners.iter().zip(&at_corners) {
+            let node = patch.node(corner.at[0], corner.at[1]);
+            let both = self.carried(WeightedNode { node, weight: corner.area }, off, largest);
+            missed.iter_mut().for_each(|missed| *missed += 0.5 * both);
         }
         missed
+    }
+
+    /// Difference of W at a place from the polynomials through its values at the points of a tensor rule.
+    fn off(
+        &mut self,
+        patch: &Patch,
+        points: [usize; 2],
+        seen: &[f64],
+        at: [f64; 2],
+        largest: &mut f64,
+    ) -> Vec<f64> {
+        let mut off = vec![0.0; self.columns];
+        self.add_seen(patch.node(at[0], at[1]), &mut off);
+        *largest = largest.max(off[0].abs());
+        let through = margin::interpolated(points, seen, self.columns, at);
+        off.iter_mut().zip(&through).for_each(|(w, through)| *w -= through);
+        off
+    }
+
+    /// Entries that a difference of W makes at a point of this weight, as far as it counts.
+    fn carried(&mut self, point: WeightedNode, off: &[f64], largest: f64) -> f64 {
+        let zeros = vec![0.0; self.outer.basis.len() * self.columns];
+        let mut moments = zeros.clone();
+        self.add_product(&point, off, &mut moments);
+        self.norm.difference(&moments, &zeros) * margin::share(off[0].abs(), largest)
     }
 
     /// Sums over the points of a rule.

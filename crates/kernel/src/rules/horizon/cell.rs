@@ -106,14 +106,9 @@ impl Cell {
         }
     }
 
-    /// Error that halving in a direction may take away: a corner may be off for either direction, and only
-    /// halves tell for which.
+    /// Error that halving in a direction may take away.
     fn worth(&self, direction: usize) -> f64 {
-        let margins = match &self.halves[direction] {
-            Some(halves) => (self.whole.in_margins() - in_margins(halves)).max(0.0),
-            None => self.whole.missed[direction],
-        };
-        self.errors[direction] + margins
+        self.errors[direction] + self.whole.missed[direction]
     }
 
     /// A direction whose error is inherited.
@@ -163,15 +158,8 @@ impl Cell {
     }
 }
 
-impl Whole {
-    /// Error of all margins.
-    fn in_margins(&self) -> f64 {
-        self.missed.iter().sum()
-    }
-}
-
 fn in_margins(halves: &[Whole; 2]) -> f64 {
-    halves.iter().map(Whole::in_margins).sum()
+    halves.iter().flat_map(|half| half.missed).sum()
 }
 
 fn sum(halves: &[Whole; 2]) -> Vec<f64> {
