@@ -47,25 +47,53 @@ impl Swept {
         Some(Self { meridian, axes: [toward, meridian.axis.cross(toward)], width: 0.5 * (high - low) * TAU })
     }
 
-    /// Irradiance at `x` with the unit normal `n` from all of its front, without blockers.
+    /// Irradiance at `x` with the unit normal `n` from all of its front, without blockers. Points on the wall
+    /// are those of its other side.
     pub fn irradiance(&self, x: DVec3, n: DVec3) -> f64 {
-        let Meridian { origin, axis, ends, normal } = self.meridian;
-        let local = x - origin;
+        let place = self.place(x);
+        let (height, least) = (self.height(&place), self.rounding(&place));
+        if height > least { self.seen_from(x, n, &place, height) } else { 0.0 }
+    }
+
+    /// As [`Self::irradiance`], where points on the wall are those of a surface before it that touches it.
+    pub fn irradiance_of_touching(&self, x: DVec3, n: DVec3) -> f64 {
+        let place = self.place(x);
+        let (height, least) = (self.height(&place), self.rounding(&place));
+        if height >= -least { self.seen_from(x, n, &place, height.max(least)) } else { 0.0 }
+    }
+
+    /// Whether a point lies before the wall, or its plane or cone, by more than rounding.
+    pub fn is_before(&self, x: DVec3) -> bool {
+        let place = self.place(x);
+        self.height(&place) > self.rounding(&place)
+    }
+
+    fn place(&self, x: DVec3) -> Place {
+        let local = x - self.meridian.origin;
         let across = DVec2::from_array(self.axes.map(|own| local.dot(own)));
-        let place = DVec2::new(across.length(), local.dot(axis));
-        let swing = normal.x * place.x;
-        let before = normal.dot(place - ends[0]);
-        // Points on the wall are those of its other side.
-        if before <= ROUNDING * self.meridian.size().max(place.length()) {
-            return 0.0;
-        }
-        let over = before - swing;
+        Place { across, level: DVec2::new(across.length(), local.dot(self.meridian.axis)) }
+    }
+
+    /// Height over the line of the meridian.
+    fn height(&self, place: &Place) -> f64 {
+        self.meridian.normal.dot(place.level - self.meridian.ends[0])
+    }
+
+    /// Rounding of such a height.
+    fn rounding(&self, place: &Place) -> f64 {
+        ROUNDING * self.meridian.size().max(place.level.length())
+    }
+
+    /// Irradiance at a point so high over the line of the meridian.
+    fn seen_from(&self, x: DVec3, n: DVec3, Place { across, level }: &Place, height: f64) -> f64 {
+        let swing = self.meridian.normal.x * level.x;
+        let over = height - swing;
         let half = match swing {
             _ if over >= swing => PI,
             _ if over > -swing => (-over / swing).acos(),
             _ => return 0.0,
         };
-        let view = View { swept: self, from: origin - x, n };
+        let view = View { swept: self, from: self.meridian.origin - x, n };
         let middle = across.y.atan2(across.x);
         let ranges =
             if half >= PI { vec![[0.0, self.width]] } else { self.seen([middle - half, middle + half]) };
@@ -80,6 +108,12 @@ impl Swept {
         };
         (-1..=1).map(part).filter(|[from, to]| from < to).collect()
     }
+}
+
+/// A point by its vector across the axis, and by its distance from the axis and its height along it.
+struct Place {
+    across: DVec2,
+    level: DVec2,
 }
 
 /// A part as seen from a point.

@@ -39,7 +39,8 @@
 //! Third, if no rule was taken, p is a cell, and cells are halved, the worst first (`cell`, `queue`), until
 //! the errors of all open cells sum to ¾ of the tolerance at the most, or the evaluations exceed the budget,
 //! or the cells fill 8 · 10⁶ numbers. A cell is settled earlier whose error is at most ¼ of the tolerance
-//! times its share of the parameters of p.
+//! times its share of the parameters of p. Where W is a closed form, the error of a cell contains what its
+//! rules may miss between their outermost points and its sides (`margin`).
 //!
 //! Range of use. The patches p and q are apart: the caller halves pairs of gap/extent < ¼
 //! ([`SMALLEST_RATIO`](crate::rules::far::SMALLEST_RATIO)), except where κ is constant or W a closed form,
@@ -58,6 +59,7 @@ mod queue;
 mod view;
 mod line;
 mod front;
+mod margin;
 mod part;
 mod zone_part;
 mod flat_part;
@@ -94,9 +96,9 @@ use zone_part::ZonePart;
 const RUNGS: [f64; 3] = [0.35, 0.55, 1.0];
 /// Fewest points of these rules: W, clipped, may need many points where the kernel needs few.
 const FEWEST: usize = 3;
-/// Fewest points of halves of cells over flat inner patches: W is smooth on cells that shrink geometrically
-/// toward a contact, and more points there gain more digits than more cells.
-const FEWEST_OF_FLAT: usize = 7;
+/// Fewest points of halves of cells where W is a closed form: it is smooth on cells that shrink
+/// geometrically toward a contact, and more points there gain more digits than more cells.
+const FEWEST_OF_CLOSED: usize = 7;
 /// Points that each of these rules has more than the one before at the least: no rule is compared with
 /// itself.
 const STEP: usize = 2;
@@ -159,6 +161,15 @@ pub enum Inner<'a> {
     /// A part of a surface of revolution that carries a constant, however near, with its plane if it lies in
     /// one.
     Swept(&'a Swept, Option<Plane>),
+    /// A whole ball that carries a constant, however near.
+    Ball(&'a Zone<'a>),
+}
+
+impl Inner<'_> {
+    /// Whether the irradiance is known in closed form, however near the inner element is.
+    fn is_closed(&self) -> bool {
+        matches!(self, Self::Flat(..) | Self::Swept(..) | Self::Ball(_))
+    }
 }
 
 /// A part of the inner element under integration.
@@ -219,24 +230,36 @@ pub fn integrate(
             (patches.iter().map(part).collect(), plane_of(&all).map(Front::of))
         }
         Inner::Zone(zone, points) => (vec![InnerPart::Zone(ZonePart::new(zone, basis, *points))], None),
+        // The sum over a whole ball is a closed form, without points.
+        Inner::Ball(zone) => (vec![InnerPart::Zone(ZonePart::new(zone, basis, [1; 2]))], None),
         Inner::Flat(patches, eps) => {
-            let part = |patch: &Patch| InnerPart::Flat(Box::new(FlatPart::new(patch, basis, *eps)));
+            let part = |patch: &Patch| {
+                let part = FlatPart::new(patch, basis, *eps);
+                InnerPart::Flat(Box::new(part.before(&outer.patch.cell_nodes(LOOKS))))
+            };
             let front = plane_of(patches).map(Front::of).filter(|front| front.hides_points_of(outer.patch));
             (patches.iter().map(part).collect(), front)
         }
         Inner::Swept(swept, plane) => {
             let front = plane.map(Front::of).filter(|front| front.hides_points_of(outer.patch));
-            (vec![InnerPart::Swept(SweptPart::new(swept, basis.constant()))], front)
+            (
+                vec![InnerPart::Swept(SweptPart::new(
+                    swept,
+                    basis.constant(),
+                    &outer.patch.cell_nodes(LOOKS),
+                ))],
+                front,
+            )
         }
     };
+    let is_closed = inner.is_closed();
     let mut job = Job {
         outer,
-        fewest: match inner {
-            Inner::Flat(..) | Inner::Swept(..) => outer.points.map(|n| n.min(FEWEST_OF_FLAT)),
-            _ => [FEWEST; 2],
-        },
+        is_closed,
+        fewest: if is_closed { outer.points.map(|n| n.min(FEWEST_OF_CLOSED)) } else { [FEWEST; 2] },
         front,
         columns: basis.len(),
+        left: vec![0.0; outer.basis.len()],
         inner: parts,
         norm,
         tolerance,
@@ -246,7 +269,6 @@ pub fn integrate(
     if let Some(patch) = job.seeing() {
         // Where a corner sees nothing W ends within the patch, and two rules may miss the same; so they may
         // what is smooth but for kinks along lines, unless both directions are asked.
-        let is_closed = matches!(inner, Inner::Flat(..) | Inner::Swept(..));
         let (whole, agrees) = match is_closed || job.has_dark_corner(&patch) {
             true => (job.whole(patch, rungs(outer.points)[1]), false),
             false => job.climb(patch),
@@ -262,16 +284,27 @@ pub fn integrate(
 
 struct Job<'a> {
     outer: &'a Side<'a>,
+    /// Whether W is a closed form.
+    is_closed: bool,
     /// Fewest points of the halves of cells along and across.
     fewest: [usize; 2],
     /// The plane of the inner patches, if they lie in one.
     front: Option<Front>,
     columns: usize,
+    /// Values of the outer polynomials at a point.
+    left: Vec<f64>,
     inner: Vec<InnerPart<'a>>,
     norm: &'a EntryNorm,
     tolerance: f64,
     budget: u64,
     cut: Cut,
+}
+
+/// Sums over the points of a rule.
+struct Sums {
+    moments: Vec<f64>,
+    /// W_l(x) at each point in turn.
+    seen: Vec<f64>,
 }
 
 impl Job<'_> {
@@ -401,46 +434,122 @@ impl Job<'_> {
         let zeros = vec![0.0; self.outer.basis.len() * self.columns];
         let corner = |(s, t)| {
             let node: Node = patch.node(s, t);
-            let moments = self.moments_of([WeightedNode { node, weight: node.area }]).0;
-            self.norm.difference(&moments, &zeros)
+            let sums = self.sums([WeightedNode { node, weight: node.area }]);
+            self.norm.difference(&sums.moments, &zeros)
         };
         CORNERS.map(corner).into_iter().fold(0.0, f64::max)
     }
 
     fn whole(&mut self, patch: Patch, points: [usize; 2]) -> Whole {
-        let nodes = self.nodes(&patch, points);
-        let (moments, is_dark) = self.moments_of(nodes);
-        Whole { patch, points, moments, is_dark }
+        let Nodes { nodes, is_tensor, .. } = self.nodes(&patch, points);
+        let sums = self.sums(nodes.iter().copied());
+        let missed = match self.is_closed && is_tensor {
+            true => self.in_margins(&patch, points, &nodes, &sums.seen),
+            false => [0.0; 2],
+        };
+        let is_dark = sums.seen.iter().all(|w| *w == 0.0);
+        Whole { patch, points, moments: sums.moments, is_dark, missed }
     }
 
-    /// Moments by a rule; and whether no point sees anything.
-    fn moments_of(&mut self, nodes: impl IntoIterator<Item = WeightedNode>) -> (Vec<f64>, bool) {
-        let mut is_dark = true;
-        let (rows, columns) = (self.outer.basis.len(), self.columns);
-        let mut moments = vec![0.0; rows * columns];
-        let (mut left, mut right) = (vec![0.0; rows], vec![0.0; columns]);
-        for WeightedNode { node, weight } in nodes {
-            check_interrupt();
-            right.fill(0.0);
-            let x = View { node, ball: self.outer.ball };
-            self.cut.samples += self.inner.iter_mut().map(|part| part.seen_from(&x, &mut right)).sum::<u64>();
-            is_dark &= right.iter().all(|w| *w == 0.0);
-            self.outer.basis.raw(self.outer.basis.frame().coordinates(&node), &mut left);
-            for (row, l) in moments.chunks_exact_mut(columns).zip(&left) {
-                row.iter_mut().zip(&right).for_each(|(m, r)| *m += weight * l * r);
+    /// Estimates of what a tensor rule misses in the margins, by the direction across them (`margin`).
+    fn in_margins(
+        &mut self,
+        patch: &Patch,
+        points: [usize; 2],
+        nodes: &[WeightedNode],
+        seen: &[f64],
+    ) -> [f64; 2] {
+        let margin::Margins { places, corners } = margin::margins(points, nodes);
+        let mut largest = seen.iter().step_by(self.columns).fold(0.0f64, |most, w| most.max(w.abs()));
+        let sides: Vec<Vec<f64>> =
+            places.iter().map(|place| self.off(patch, points, seen, place.at, &mut largest)).collect();
+        let mut at_corners = Vec::new();
+        for corner in &corners {
+            let mut off = self.off(patch, points, seen, corner.at, &mut largest);
+            for k in corner.beside {
+                off.iter_mut().zip(&sides[k]).for_each(|(off, beside)| *off -= beside);
             }
+            at_corners.push(off);
         }
-        (moments, is_dark)
+        let mut missed = [0.0; 2];
+        for (place, off) in places.iter().zip(&sides) {
+            let node = patch.node(place.at[0], place.at[1]);
+            missed[place.direction] += self.carried(WeightedNode { node, weight: place.area }, off, largest);
+        }
+        for (corner, off) in corners.iter().zip(&at_corners) {
+            let node = patch.node(corner.at[0], corner.at[1]);
+            let both = self.carried(WeightedNode { node, weight: corner.area }, off, largest);
+            missed.iter_mut().for_each(|missed| *missed += 0.5 * both);
+        }
+        missed
+    }
+
+    /// Difference of W at a place from the polynomials through its values at the points of a tensor rule.
+    fn off(
+        &mut self,
+        patch: &Patch,
+        points: [usize; 2],
+        seen: &[f64],
+        at: [f64; 2],
+        largest: &mut f64,
+    ) -> Vec<f64> {
+        let mut off = vec![0.0; self.columns];
+        self.add_seen(patch.node(at[0], at[1]), &mut off);
+        *largest = largest.max(off[0].abs());
+        let through = margin::interpolated(points, seen, self.columns, at);
+        off.iter_mut().zip(&through).for_each(|(w, through)| *w -= through);
+        off
+    }
+
+    /// Entries that a difference of W makes at a point of this weight, as far as it counts.
+    fn carried(&mut self, point: WeightedNode, off: &[f64], largest: f64) -> f64 {
+        let zeros = vec![0.0; self.outer.basis.len() * self.columns];
+        let mut moments = zeros.clone();
+        self.add_product(&point, off, &mut moments);
+        self.norm.difference(&moments, &zeros) * margin::share(off[0].abs(), largest)
+    }
+
+    /// Sums over the points of a rule.
+    fn sums(&mut self, nodes: impl IntoIterator<Item = WeightedNode>) -> Sums {
+        let (rows, columns) = (self.outer.basis.len(), self.columns);
+        let mut sums = Sums { moments: vec![0.0; rows * columns], seen: Vec::new() };
+        for node in nodes {
+            check_interrupt();
+            let start = sums.seen.len();
+            sums.seen.resize(start + columns, 0.0);
+            self.add_seen(node.node, &mut sums.seen[start..]);
+            self.add_product(&node, &sums.seen[start..], &mut sums.moments);
+        }
+        sums
+    }
+
+    /// Adds W_l(x) to `out`.
+    fn add_seen(&mut self, node: Node, out: &mut [f64]) {
+        let x = View { node, ball: self.outer.ball };
+        self.cut.samples += self.inner.iter_mut().map(|part| part.seen_from(&x, out)).sum::<u64>();
+    }
+
+    /// Adds the products of the outer polynomials at a point and of `right` to moments.
+    fn add_product(
+        &mut self,
+        WeightedNode { node, weight }: &WeightedNode,
+        right: &[f64],
+        moments: &mut [f64],
+    ) {
+        self.outer.basis.raw(self.outer.basis.frame().coordinates(node), &mut self.left);
+        for (row, l) in moments.chunks_exact_mut(self.columns).zip(&self.left) {
+            row.iter_mut().zip(right).for_each(|(m, r)| *m += weight * l * r);
+        }
     }
 
     /// Points of a rule on a part of the outer patch: a tensor rule, or a rule on what
     /// lies before the plane of the inner patches.
-    fn nodes(&mut self, part: &Patch, points: [usize; 2]) -> Vec<WeightedNode> {
-        let Nodes { nodes, evaluations } = match &self.front {
+    fn nodes(&mut self, part: &Patch, points: [usize; 2]) -> Nodes {
+        let nodes = match &self.front {
             Some(front) => front.nodes(part, points),
             None => Nodes::of(part, points),
         };
-        self.cut.samples += evaluations;
+        self.cut.samples += nodes.evaluations;
         nodes
     }
 }

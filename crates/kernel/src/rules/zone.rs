@@ -39,6 +39,7 @@ use radiosity_geom::{ConvexSolid, DVec2, DVec3, ROUNDING, Surface, area_vector, 
 use smallvec::SmallVec;
 
 use crate::rules::far;
+use crate::rules::horizon::Ball;
 
 /// Halvings of an arc that passes the axis: what is left there is 10⁻⁴ of it long.
 const MOST_HALVINGS: usize = 13;
@@ -183,6 +184,11 @@ impl<'a> Zone<'a> {
 
     pub(super) fn chart(&self) -> &Chart {
         &self.chart
+    }
+
+    /// The ball of its sphere.
+    pub fn ball(&self) -> Ball {
+        Ball { center: self.chart.center, radius: self.chart.radius }
     }
 
     /// Whether its front is the inside of the sphere.

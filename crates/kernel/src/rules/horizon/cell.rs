@@ -4,15 +4,15 @@
 //! the whole although all are wrong. Hence both directions are tested. In the direction d,
 //!
 //! ```text
-//! e_d = ‖ M(first half) + M(second half) − M(whole) ‖ ,     error = ¼ e_d + e_d′ + missed ,
+//! e_d = ‖ M(first half) + M(second half) − M(whole) ‖ ,     error = ¼ e_d + e_d′ + m + missed ,
 //! ```
 //!
 //! where the halves have ⌈¾ n⌉ points in the direction d, 3 at least, and the moments of the cell are those
 //! of its halves in the direction d of the larger e among those that were halved. ¼ is 2⁻³, the ratio at a
 //! kink of second order, doubled for the position of the kink. The error known in one direction is kept when
-//! the other is halved: each half inherits half of it. `missed` is 0 unless no point of any rule sees
-//! anything; then it is 0.05 of the largest entry that the cell would have if all its points saw as much as
-//! its best corner.
+//! the other is halved: each half inherits half of it. m is the error of the margins of both
+//! halves (`margin`). `missed` is 0 unless no point of any rule sees anything; then it is 0.05 of the largest
+//! entry that the cell would have if all its points saw as much as its best corner.
 
 use std::cmp::Ordering;
 
@@ -36,6 +36,8 @@ pub(super) struct Whole {
     pub points: [usize; 2],
     pub moments: Vec<f64>,
     pub is_dark: bool,
+    /// Estimates of what the rule misses in the margins across either direction.
+    pub missed: [f64; 2],
 }
 
 /// A part of the outer patch.
@@ -85,7 +87,7 @@ impl Cell {
     /// The direction of the larger error, and whether its halves are known.
     pub(super) fn worse(&self) -> (usize, bool) {
         let [along, across] = self.whole.patch.extents();
-        let direction = match self.errors[0].total_cmp(&self.errors[1]) {
+        let direction = match self.worth(0).total_cmp(&self.worth(1)) {
             Ordering::Greater => 0,
             Ordering::Less => 1,
             Ordering::Equal => usize::from(across > along),
@@ -97,10 +99,16 @@ impl Cell {
     pub(super) fn error(&self) -> f64 {
         match self.better() {
             Some(direction) => {
-                ERROR_OF_HALVES * self.errors[direction] + self.errors[1 - direction] + self.missed
+                let differences = ERROR_OF_HALVES * self.errors[direction] + self.errors[1 - direction];
+                differences + self.halves[direction].as_ref().map_or(0.0, in_margins) + self.missed
             }
             None => f64::INFINITY,
         }
+    }
+
+    /// Error that halving in a direction may take away.
+    fn worth(&self, direction: usize) -> f64 {
+        self.errors[direction] + self.whole.missed[direction]
     }
 
     /// A direction whose error is inherited.
@@ -148,6 +156,10 @@ impl Cell {
         let known = |direction: &usize| self.halves[*direction].is_some();
         [0, 1].into_iter().filter(known).max_by(|a, b| self.errors[*a].total_cmp(&self.errors[*b]))
     }
+}
+
+fn in_margins(halves: &[Whole; 2]) -> f64 {
+    halves.iter().flat_map(|half| half.missed).sum()
 }
 
 fn sum(halves: &[Whole; 2]) -> Vec<f64> {

@@ -20,7 +20,7 @@
 use radiosity_elements::basis::AreaBasis;
 use radiosity_elements::patch::{Node, Patch};
 use radiosity_elements::rule::{MOST_POINTS, UnitRule};
-use radiosity_geom::{COINCIDENT, DVec3};
+use radiosity_geom::{COINCIDENT, DVec3, ROUNDING};
 use radiosity_visibility::shadow_volume::{Corners, cut_at_horizon, reach};
 
 use crate::contact::gap::point_to_polygon;
@@ -40,13 +40,31 @@ pub(super) struct FlatPart<'a> {
     basis: &'a AreaBasis,
     polar: Polar<'a>,
     eps: f64,
+    /// Least height of points that see it (scene length): those of a surface before it that touches it are
+    /// lifted to there.
+    lift: f64,
 }
 
 impl<'a> FlatPart<'a> {
     /// For errors of about `eps` of the irradiance.
     pub(super) fn new(patch: &Patch, basis: &'a AreaBasis, eps: f64) -> Self {
         let polar = Polar::new(patch, basis, eps);
-        Self { patch: patch.clone(), polygon: patch.polygon(), basis, polar, eps }
+        Self { patch: patch.clone(), polygon: patch.polygon(), basis, polar, eps, lift: 0.0 }
+    }
+
+    /// Seen from a patch with these points: what the patch has in common with the plane is a contact, if some
+    /// of them lie before it.
+    pub(super) fn before(self, outer: &[Node]) -> Self {
+        let level = ROUNDING * self.patch.longest().1;
+        let is_before = outer.iter().any(|x| self.polar.height(x) > COINCIDENT * self.patch.longest().1);
+        Self { lift: if is_before { level } else { 0.0 }, ..self }
+    }
+
+    /// A point of a touching surface, at which rounding decides on which side of the plane it lies, before it.
+    fn lifted(&self, x: &Node) -> Node {
+        let height = self.polar.height(x);
+        let step = if height.abs() < self.lift { self.lift - height } else { 0.0 };
+        Node { position: x.position + step * self.patch.node(0.5, 0.5).normal, ..*x }
     }
 
     pub(super) fn may_be_faced_by(&self, outer: &Patch) -> bool {
@@ -63,6 +81,7 @@ impl<'a> FlatPart<'a> {
 
     /// Adds W_l(x) to `out`; returns the number of evaluations.
     pub(super) fn seen_from(&mut self, x: &Node, out: &mut [f64]) -> u64 {
+        let x = &self.lifted(x);
         let mut seen: Corners = self.polygon.iter().map(|corner| corner - x.position).collect();
         if self.polar.height(x) > 0.0 && !seen.iter().all(|corner| corner.dot(x.normal) >= 0.0) {
             cut_at_horizon(x.normal, &mut seen);

@@ -31,6 +31,8 @@ pub struct Front {
 #[derive(Debug, Default)]
 pub struct Nodes {
     pub nodes: Vec<WeightedNode>,
+    /// Whether they are those of a tensor rule, in its order.
+    pub is_tensor: bool,
     /// Evaluations of heights and points besides `nodes`.
     pub evaluations: u64,
 }
@@ -44,7 +46,7 @@ impl Nodes {
             let node = patch.node(s, t);
             WeightedNode { node, weight: ws * wt * node.area }
         };
-        Self { nodes: places.map(node).collect(), evaluations: 0 }
+        Self { nodes: places.map(node).collect(), is_tensor: true, evaluations: 0 }
     }
 }
 
@@ -135,7 +137,7 @@ impl Front {
         }
         let lines = direction.map_or(Lines::Winding(Direction::Along), Lines::Plain);
         let heights = |x: &Node| [self.height(x), 1.0, 1.0];
-        let Nodes { nodes, evaluations } = out;
+        let Nodes { nodes, evaluations, .. } = out;
         *evaluations += seen(patch, lines, points, &heights, |x, factors| {
             nodes.push(WeightedNode { node: *x, weight: factors.iter().product() });
         });

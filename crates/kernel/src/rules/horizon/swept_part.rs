@@ -13,20 +13,31 @@ pub(super) struct SweptPart<'a> {
     swept: &'a Swept,
     /// Value of its polynomial.
     constant: f64,
+    /// Whether the outer patch lies before it, so that what it has in common with it is a contact.
+    is_before: bool,
 }
 
 impl<'a> SweptPart<'a> {
-    pub(super) fn new(swept: &'a Swept, constant: f64) -> Self {
-        Self { swept, constant }
+    /// `outer` are points of the outer patch.
+    pub(super) fn new(swept: &'a Swept, constant: f64, outer: &[Node]) -> Self {
+        let is_before = outer.iter().any(|x| swept.is_before(x.position));
+        Self { swept, constant, is_before }
     }
 
     pub(super) fn is_seen_from(&self, x: &Node) -> bool {
-        self.swept.irradiance(x.position, x.normal) > 0.0
+        self.irradiance(x) > 0.0
+    }
+
+    fn irradiance(&self, x: &Node) -> f64 {
+        match self.is_before {
+            true => self.swept.irradiance_of_touching(x.position, x.normal),
+            false => self.swept.irradiance(x.position, x.normal),
+        }
     }
 
     /// Adds W(x) to `out`; returns the number of evaluations.
     pub(super) fn seen_from(&self, x: &Node, out: &mut [f64]) -> u64 {
-        out[0] += self.constant * self.swept.irradiance(x.position, x.normal);
+        out[0] += self.constant * self.irradiance(x);
         COST
     }
 }

@@ -178,12 +178,23 @@ impl<'a> ZonePart<'a> {
     /// element is no whole sphere, or the point lies on its back.
     fn whole_from(&self, x: &Node) -> Option<f64> {
         let Chart { center, radius, .. } = *self.zone.chart();
-        let is_inside = x.position.distance(center) < radius;
+        let distance = x.position.distance(center);
+        let is_inside = distance < radius;
         match self.zone.is_whole() && self.zone.is_hollow() == is_inside {
+            // A surface that touches a ball sees it fill what lies on its side of their common plane.
+            _ if self.is_touched_at(distance) => {
+                Some(0.5 * (1.0 + x.normal.dot(center - x.position) / distance))
+            }
             false => None,
             true if is_inside => Some(1.0),
             true => ball(x.position, x.normal, center, radius),
         }
+    }
+
+    /// Whether a point at this distance from the centre lies on a ball, to rounding.
+    fn is_touched_at(&self, distance: f64) -> bool {
+        let radius = self.zone.chart().radius;
+        self.zone.is_whole() && !self.zone.is_hollow() && (distance - radius).abs() <= ROUNDING * radius
     }
 
     /// Adds a range of longitudes on one parallel.

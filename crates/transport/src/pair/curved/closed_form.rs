@@ -6,7 +6,7 @@
 //!
 //! * a polygon, under any polynomial ([`Inner::Flat`]);
 //! * a part of a cylinder, a cone, a disk or a ring, or a whole ball, that carries a constant
-//!   ([`Inner::Swept`], [`Inner::Zone`]),
+//!   ([`Inner::Swept`], [`Inner::Ball`]),
 //!
 //! is smooth up to the contact. The outer integral is that over the parts of the other element, in cells that
 //! shrink toward the contact where they have to.
@@ -26,9 +26,10 @@ use radiosity_kernel::estimates::entry_norm::EntryNorm;
 use radiosity_kernel::irradiance::swept::Swept;
 use radiosity_kernel::rules::far::SMALLEST_RATIO;
 use radiosity_kernel::rules::horizon;
-use radiosity_kernel::rules::horizon::{Cut, Inner, Side};
+use radiosity_kernel::rules::horizon::{Ball, Cut, Inner, Side};
 use radiosity_kernel::rules::zone::Zone;
 use radiosity_work::interruption::check_interrupt;
+use smallvec::SmallVec;
 
 use crate::pair::job::Job;
 
@@ -52,6 +53,14 @@ const POINTS: usize = 16;
 /// Cosine of the angle between the normals at a common point below which parts touch tangentially (18°):
 /// there the integrand of the rules of common edges and corners is nearly as singular as before.
 const TANGENTIAL: f64 = -0.95;
+
+/// Places on sides of curved parts where contacts are looked for, and a step from there to the next point.
+const SAMPLES: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
+const STEP: f64 = 0.02;
+
+/// Height of that point over a flat part, over the step's length, below which the side leaves along the part:
+/// the rule of a common corner takes directions for apart. An arc of a right angle has 0.016.
+const ALONG: f64 = 0.1;
 
 /// How two parts lie to each other.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -90,8 +99,7 @@ impl<'a> Seen<'a> {
         match self {
             Self::Polygon => Inner::Flat(parts, eps),
             Self::Swept(swept, plane) => Inner::Swept(swept, *plane),
-            // The sum over a whole ball is a closed form, without points.
-            Self::Ball(zone) => Inner::Zone(zone, [1; 2]),
+            Self::Ball(zone) => Inner::Ball(zone),
         }
     }
 }
@@ -124,7 +132,8 @@ impl<'a> Job<'a> {
         of(&[Meeting::ByRule])
     }
 
-    /// The sides of the integrals; polygons are inner ones.
+    /// The sides of the integrals. Balls that carry a constant are inner ones, as they have no border;
+    /// before other elements polygons are.
     fn sides<'b>(&self, parts: [&'b [Patch]; 2]) -> Option<Sides<'a, 'b>> {
         let [first, second] = self.elements.map(|element| element.surface);
         // The two sides of a ball touch everywhere.
@@ -134,8 +143,18 @@ impl<'a> Job<'a> {
         }
         let seen = |index: usize| Seen::of(self.elements[index], parts[index], self.budget.accuracy.eps);
         let side = |inner: usize| Some(Sides { outer: 1 - inner, seen: seen(inner)?, parts });
+        let is_ball = |sides: &Sides| matches!(sides.seen, Seen::Ball(_)) && self.lies_outside(sides);
         let is_polygon = |sides: &Sides| matches!(sides.seen, Seen::Polygon);
-        side(1).filter(is_polygon).or_else(|| side(0)).or_else(|| side(1))
+        let ball = side(1).filter(is_ball).or_else(|| side(0).filter(is_ball));
+        ball.or_else(|| side(1).filter(is_polygon)).or_else(|| side(0)).or_else(|| side(1))
+    }
+
+    /// Whether no flat part of the outer element reaches into an inner ball.
+    fn lies_outside(&self, Sides { outer, seen, parts }: &Sides) -> bool {
+        let Seen::Ball(zone) = seen else { return false };
+        let Ball { center, radius } = zone.ball();
+        let is_apart = |part: &Patch| point_to_polygon(center, &part.polygon()) >= radius - self.tolerance;
+        parts[*outer].iter().all(|part| !part.is_flat() || is_apart(part))
     }
 
     fn meeting(&self, part: &Patch, others: &[Patch]) -> Meeting {
@@ -148,33 +167,48 @@ impl<'a> Job<'a> {
             return Meeting::Away;
         }
         let extent = part.longest().1.min(other.longest().1);
-        match Contact::of(part, other, self.tolerance) {
+        let contact = Contact::of(part, other, self.tolerance);
+        match contact {
             Contact::Apart(_) if gap(part, other) >= SMALLEST_RATIO * extent => Meeting::Apart,
             Contact::Apart(_) | Contact::Tip(_) => Meeting::Near,
             _ if self.touch_tangentially([part, other]) || self.touch_tangentially([other, part]) => {
                 Meeting::Near
             }
-            _ if self.stands_amid([part, other]) || self.stands_amid([other, part]) => Meeting::Near,
+            _ if self.stands_on([part, other], &contact) || self.stands_on([other, part], &contact) => {
+                Meeting::Near
+            }
             _ => Meeting::ByRule,
         }
     }
 
     /// Whether a side of a curved part meets a flat one inside of its border, as that of a can which stands
-    /// on a floor.
-    fn stands_amid(&self, [part, other]: [&Patch; 2]) -> bool {
-        if part.is_flat() || !other.is_flat() {
+    /// on a floor, or leaves a place on it along its plane, as the rim of a disk that stands on a floor.
+    fn stands_on(&self, [part, other]: [&Patch; 2], contact: &Contact) -> bool {
+        if part.is_flat() || !other.is_flat() || matches!(contact, Contact::Edge { .. }) {
             return false;
         }
         let polygon = other.polygon();
-        let is_amid = |x: DVec3| {
-            point_to_polygon(x, &polygon) <= self.tolerance
-                && sides(&polygon).all(|side| distance_to_segment(x, side) > self.tolerance)
+        let distance = |x: DVec3| point_to_polygon(x, &polygon);
+        let normal = other.node(0.5, 0.5).normal;
+        let height = |x: DVec3| normal.dot(x - polygon[0]).abs();
+        let is_amid = |x: DVec3| sides(&polygon).all(|side| distance_to_segment(x, side) > self.tolerance);
+        let cuts: SmallVec<[f64; 2]> = match contact {
+            Contact::Cut(cuts) => cuts.iter().flatten().map(|cut| cut.at).collect(),
+            _ => SmallVec::new(),
         };
-        [0.25, 0.5, 0.75].into_iter().any(|t| {
-            [(t, 0.0), (1.0, t), (t, 1.0), (0.0, t)]
-                .into_iter()
-                .any(|(s, t)| is_amid(part.node(s, t).position))
-        })
+        let is_met = |side: &dyn Fn(f64) -> DVec3, t: f64| {
+            let x = side(t);
+            let leaves = |next: f64| {
+                let step = height(side(next));
+                step > self.tolerance && step <= ALONG * side(next).distance(x)
+            };
+            let steps = [t - STEP, t + STEP].into_iter().filter(|next| (0.0..=1.0).contains(next));
+            distance(x) <= self.tolerance && (is_amid(x) || steps.clone().any(leaves))
+        };
+        let at = |s: f64, t: f64| part.node(s, t).position;
+        let all: [&dyn Fn(f64) -> DVec3; 4] =
+            [&|s| at(s, 0.0), &|t| at(1.0, t), &|s| at(s, 1.0), &|t| at(0.0, t)];
+        all.into_iter().any(|side| SAMPLES.iter().chain(&cuts).any(|t| is_met(side, *t)))
     }
 
     /// Whether a corner of a curved part lies on another one, with its normal against that one's.
