@@ -56,7 +56,7 @@ impl Swept {
     }
 
     /// As [`Self::irradiance`], where points on the wall are those of a surface before it that touches it.
-    pub fn irradiance_of_touching(&self, x: DVec3, n: DVec3) -> f64 {
+    pub(crate) fn irradiance_of_touching(&self, x: DVec3, n: DVec3) -> f64 {
         let place = self.place(x);
         let (height, least) = (self.height(&place), self.rounding(&place));
         if height >= -least { self.seen_from(x, n, &place, height.max(least)) } else { 0.0 }

@@ -39,7 +39,6 @@ use radiosity_geom::{ConvexSolid, DVec2, DVec3, ROUNDING, Surface, area_vector, 
 use smallvec::SmallVec;
 
 use crate::rules::far;
-use crate::rules::horizon::Ball;
 
 /// Halvings of an arc that passes the axis: what is left there is 10⁻⁴ of it long.
 const MOST_HALVINGS: usize = 13;
@@ -186,9 +185,14 @@ impl<'a> Zone<'a> {
         &self.chart
     }
 
-    /// The ball of its sphere.
-    pub fn ball(&self) -> Ball {
-        Ball { center: self.chart.center, radius: self.chart.radius }
+    /// Centre of the sphere.
+    pub fn center(&self) -> DVec3 {
+        self.chart.center
+    }
+
+    /// Radius of the sphere (scene length).
+    pub fn radius(&self) -> f64 {
+        self.chart.radius
     }
 
     /// Whether its front is the inside of the sphere.

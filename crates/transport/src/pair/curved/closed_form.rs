@@ -26,7 +26,7 @@ use radiosity_kernel::estimates::entry_norm::EntryNorm;
 use radiosity_kernel::irradiance::swept::Swept;
 use radiosity_kernel::rules::far::SMALLEST_RATIO;
 use radiosity_kernel::rules::horizon;
-use radiosity_kernel::rules::horizon::{Ball, Cut, Inner, Side};
+use radiosity_kernel::rules::horizon::{Cut, Inner, Side};
 use radiosity_kernel::rules::zone::Zone;
 use radiosity_work::interruption::check_interrupt;
 use smallvec::SmallVec;
@@ -152,7 +152,7 @@ impl<'a> Job<'a> {
     /// Whether no flat part of the outer element reaches into an inner ball.
     fn lies_outside(&self, Sides { outer, seen, parts }: &Sides) -> bool {
         let Seen::Ball(zone) = seen else { return false };
-        let Ball { center, radius } = zone.ball();
+        let (center, radius) = (zone.center(), zone.radius());
         let is_apart = |part: &Patch| point_to_polygon(center, &part.polygon()) >= radius - self.tolerance;
         parts[*outer].iter().all(|part| !part.is_flat() || is_apart(part))
     }
