@@ -89,10 +89,12 @@ impl KnownLight {
             let reflected = coating.reflected(starts, arrived);
             let mut rest: Vec<f64> = sent.iter().zip(&reflected).map(|(v, own)| v - own).collect();
             let mut column = taken_off(&basis, &mut rest);
+            // Light that surfaces would keep for good tells of no emission: it takes no part.
             let size = norm(&rest);
-            column.push(size);
+            let [diagonal, factor] = if size > ROUNDING { [size, 1.0 / size] } else { [1.0, 0.0] };
+            column.push(diagonal);
             columns.push(column);
-            basis.push(scaled(rest, 1.0 / size));
+            basis.push(scaled(rest, factor));
         }
         let nearest = |emitted: &Vec<f64>| {
             let mut rest = emitted.clone();
@@ -186,7 +188,7 @@ mod tests {
         let [one, other] = [coating(0.2, 1.0), coating(0.8, 2.0)].map(|own| own.exitance);
         known.carried(&blocks, &[one.clone(), other.clone()]);
         let sum: Vec<f64> = one.iter().zip(&other).map(|(one, other)| 3.0 * one - 0.5 * other).collect();
-        let carried = known.carried(&blocks, &[sum.clone()]).remove(0);
+        let carried = known.carried(&blocks, std::slice::from_ref(&sum)).remove(0);
         assert_eq!(known.sent.len(), 2);
         let right = blocks.apply(&sum);
         assert!(carried.iter().zip(&right).all(|(own, right)| (own - right).abs() < 1e-14), "{carried:?}");
@@ -200,7 +202,7 @@ mod tests {
             let mut known = KnownLight::default();
             let all: Vec<Vec<f64>> = cases.iter().map(|own| light(&blocks, own)).collect();
             known.carried(&blocks, &all);
-            known.nearest(wanted, blocks.starts(), &[wanted.exitance.clone()]).remove(0)
+            known.nearest(wanted, blocks.starts(), std::slice::from_ref(&wanted.exitance)).remove(0)
         };
         let wanted = coating(0.2, 7.0);
         let found = nearest(&[coating(0.2, 1.0), coating(0.2, 2.0)], &wanted);
