@@ -49,13 +49,9 @@ pub struct Neighbours {
 }
 
 impl Neighbours {
-    /// Those within a box.
+    /// All that lies within a box.
     pub fn within(bounds: &Aabb) -> Self {
-        let corner = |k: usize| {
-            let at = |axis: usize| if k >> axis & 1 == 0 { bounds.min[axis] } else { bounds.max[axis] };
-            DVec3::new(at(0), at(1), at(2))
-        };
-        Self { corners: std::array::from_fn(corner), ball: Ball::over(bounds) }
+        Self { corners: bounds.corners(), ball: Ball::over(bounds) }
     }
 }
 

@@ -242,14 +242,8 @@ pub fn integrate(
         }
         Inner::Swept(swept, plane) => {
             let front = plane.map(Front::of).filter(|front| front.hides_points_of(outer.patch));
-            (
-                vec![InnerPart::Swept(SweptPart::new(
-                    swept,
-                    basis.constant(),
-                    &outer.patch.cell_nodes(LOOKS),
-                ))],
-                front,
-            )
+            let part = SweptPart::new(swept, basis.constant(), &outer.patch.cell_nodes(LOOKS));
+            (vec![InnerPart::Swept(part)], front)
         }
     };
     let is_closed = inner.is_closed();

@@ -63,8 +63,10 @@ impl<'a> FlatPart<'a> {
     /// A point of a touching surface, at which rounding decides on which side of the plane it lies, before it.
     fn lifted(&self, x: &Node) -> Node {
         let height = self.polar.height(x);
-        let step = if height.abs() < self.lift { self.lift - height } else { 0.0 };
-        Node { position: x.position + step * self.patch.node(0.5, 0.5).normal, ..*x }
+        if height.abs() >= self.lift {
+            return *x;
+        }
+        Node { position: x.position + (self.lift - height) * self.patch.node(0.5, 0.5).normal, ..*x }
     }
 
     pub(super) fn may_be_faced_by(&self, outer: &Patch) -> bool {
