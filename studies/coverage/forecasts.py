@@ -3,8 +3,7 @@
     python forecasts.py SHARED -o forecasts.csv [--command radiosity] [--only solve,heat]
     python forecasts.py table forecasts.csv
 
-SHARED is the folder with `scenes/mgf` and `cases/rooms`. Each run has one thread, forecasts are of two. What a machine does besides
-lengthens the stages, not the CPU time of a run: stages are scaled by the CPU time of the run over its wall time.
+SHARED is the folder with `scenes/mgf` and `cases/rooms`. Each run has one thread. What a machine does besides lengthens the stages, not the CPU time of a run: stages are scaled by the CPU time of the run over its wall time.
 """
 
 import argparse
@@ -20,7 +19,6 @@ import time
 
 STAGE = re.compile(r"([a-z][a-z -]*?) ([0-9.]+) s(?: \(forecast ([0-9.e+-]+) s\))?(?:, |$)")
 COLUMNS = ["verb", "scene", "code", "wall", "cpu", "told", "stages", "parts"]
-FACTOR = 2
 
 
 def runs(shared):
@@ -66,7 +64,7 @@ def run(command, arguments):
         print(done.stderr, file=sys.stderr)
     found = STAGE.findall(lines[-1]) if lines else []
     stages = {name: float(took) for name, took, _ in found}
-    told = {name: FACTOR * float(own) for name, _, own in found if own}
+    told = {name: float(own) for name, _, own in found if own}
     parts = " ".join(f"{name.replace(' ', '-')}:{took * cpu / wall:.3g}/{told.get(name, 0):.3g}" for name, took in stages.items())
     whole = sum(stages.values())
     return {

@@ -235,7 +235,7 @@ pub(crate) fn run(args: &AnimateArgs, loaded: Loaded, ranks: &Ranks) -> Result<(
     };
     let points = args.probe.as_deref().map(|points| Points::load(points, ranks)).transpose()?;
     let files = args.files(&loaded, range.ends()[0], ranks)?;
-    let progress = Progress::new(args.quiet, loaded.started, ranks);
+    let progress = Progress::new(args.quiet, asked.threads, loaded.started, ranks);
     progress.begin_output();
     let work = Work::among(ranks).observed_by(&progress);
     let stages = |event| {

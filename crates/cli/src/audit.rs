@@ -233,7 +233,7 @@ impl AuditArgs {
         let outlet = self.outlet(|path| self.scene.reserve(path, ranks), ranks)?;
         let method = &self.run.method;
         let options = HeatRequest::of(method)?.options(&TransferRequest::of(method)?, false, ranks)?;
-        let progress = Progress::of(&self.run.report, started, ranks);
+        let progress = Progress::of(&self.run.report, options.options.threads, started, ranks);
         let work = Work::among(ranks).observed_by(&progress);
         let heat = Heat::of(&scene, &options, &work)?;
         let surfaces = self.audit.chosen(&heat.judgeable(&scene));
@@ -254,7 +254,7 @@ impl AuditArgs {
         let ranks = &self.run.checkpoint.recording(given, &scene, &scene, &[], ranks)?;
         let outlet = self.outlet(|path| self.scene.reserve(path, ranks), ranks)?;
         let options = TransferRequest::of(&self.run.method)?.factors()?;
-        let progress = Progress::of(&self.run.report, started, ranks);
+        let progress = Progress::of(&self.run.report, options.threads, started, ranks);
         let work = Work::among(ranks).observed_by(&progress);
         let factors = ViewFactors::new(&scene, &options, &work)?;
         let rows = self.audit.chosen(&(0..scene.surfaces.len()).collect::<Vec<_>>());

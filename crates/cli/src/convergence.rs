@@ -102,9 +102,9 @@ pub(crate) fn run(args: &ConvergenceArgs, loaded: &Loaded, ranks: &Ranks) -> Res
     let kind = of_kind(&path, "kind of drawing", "choose a file ending in .svg or .png")?;
     let output = args.scene.reserve(&path, ranks)?;
     let reference = args.reference.as_deref().map(|path| same_scene(path, scene, ranks)).transpose()?;
-    let progress = Progress::new(args.quiet, loaded.started, ranks);
-    let work = Work::among(ranks).observed_by(&progress);
     let options = args.method.options(ranks);
+    let progress = Progress::new(args.quiet, options.threads, loaded.started, ranks);
+    let work = Work::among(ranks).observed_by(&progress);
     let other = args.other_series();
     let study = |reference: &Reference| match options.shots {
         None => convergence(scene, &options, &other, reference, &work),

@@ -158,7 +158,7 @@ pub(crate) fn run(args: &HeatArgs, given: &TypedOptions, ranks: &Ranks) -> Resul
         return sweep::run(sweep, args, &options.options, start, &read, &scene, ranks);
     }
     let files = HeatFiles::reserve(args, &scene, ranks)?;
-    let progress = Progress::new(args.transfers.quiet, start, ranks);
+    let progress = Progress::new(args.transfers.quiet, options.options.threads, start, ranks);
     let show = |event| shown(event).into_iter().for_each(|event| progress.report(event));
     let work = Work::among(ranks).observed_by(&show);
     let mut heat = Heat::of(&scene, &options, &work)?;

@@ -7,8 +7,8 @@ use std::collections::BTreeMap;
 use std::time::{Duration, Instant};
 
 use radiosity_reading::report::Seconds;
-use radiosity_work::Stage;
 use radiosity_work::digits::significant;
+use radiosity_work::{Machine, Stage};
 
 /// Part of the whole below which the stages of a line are told together. Chosen.
 const SMALL: f64 = 0.02;
@@ -25,8 +25,8 @@ pub(crate) struct Ledger {
     running: Vec<RunningStage>,
     /// The stages in the order in which they began first, with their time.
     stages: Vec<(Stage, Duration)>,
-    /// Seconds of stages by what was told before.
-    expected: BTreeMap<Stage, f64>,
+    /// Forecasts of stages.
+    forecasts: BTreeMap<Stage, f64>,
 }
 
 /// A stage that began and has not ended.
@@ -45,7 +45,7 @@ impl Ledger {
             part: Some(Stage::Load),
             running: Vec::new(),
             stages: vec![(Stage::Load, Duration::ZERO)],
-            expected: BTreeMap::new(),
+            forecasts: BTreeMap::new(),
         }
     }
 
@@ -55,14 +55,14 @@ impl Ledger {
         self.part = part;
     }
 
-    /// Notes that a stage is to take so many seconds more, as was told.
-    pub(crate) fn expect(&mut self, stage: Stage, seconds: f64) {
-        *self.expected.entry(stage).or_default() += seconds;
+    /// Adds to the forecast of a stage.
+    pub(crate) fn expect(&mut self, stage: Stage, forecast: f64) {
+        *self.forecasts.entry(stage).or_default() += forecast;
     }
 
-    /// Seconds that a stage was to take by what was told.
-    pub(crate) fn expected(&self, stage: Stage) -> f64 {
-        self.expected.get(&stage).copied().unwrap_or(0.0)
+    /// The forecast of a stage.
+    pub(crate) fn forecast(&self, stage: Stage) -> f64 {
+        self.forecasts.get(&stage).copied().unwrap_or(0.0)
     }
 
     /// Begins a stage.
@@ -118,13 +118,13 @@ impl Ledger {
         Seconds { stages, total: self.seconds() }
     }
 
-    /// A line on the stages, with what was told of them before; the small ones together with what lies in none,
-    /// or, where `all` are told, all of them.
-    pub(crate) fn line(&mut self, all: bool) -> String {
+    /// A line on the stages, with their forecasts in seconds of a machine; the small ones together with what lies in
+    /// none, or, where `all` are told, all of them.
+    pub(crate) fn line(&mut self, all: bool, machine: &Machine) -> String {
         let whole = self.seconds();
         let least = if all { 0.0 } else { SMALL * whole };
-        let expected = self.expected.clone();
-        let told = |stage: &Stage| expected.get(stage).copied();
+        let forecasts = self.forecasts.clone();
+        let told = |stage: &Stage| forecasts.get(stage).map(|&forecast| machine.seconds(forecast));
         let is_large = |(stage, seconds): &(Stage, f64)| seconds.max(told(stage).unwrap_or(0.0)) >= least;
         let large: Vec<(Stage, f64)> = self.stages().filter(is_large).collect();
         let rest = whole - large.iter().map(|(_, seconds)| seconds).sum::<f64>();
@@ -180,13 +180,14 @@ mod tests {
         ledger.begin(Stage::Solve);
         sleep(LONG);
         ledger.end(Stage::Solve);
-        let [short, whole] = [false, true].map(|all| ledger.line(all));
+        let machine = Machine::of(1);
+        let [short, whole] = [false, true].map(|all| ledger.line(all, &machine));
         assert!(short.starts_with("stages: solve 0.0") && short.contains(", other 0.0"), "{short}");
         assert!(whole.starts_with("stages: load 0.000 s, solve 0.0"), "{whole}");
         // What was told is told again, also of what took nothing.
-        ledger.expect(Stage::Load, 3.0);
-        ledger.expect(Stage::Load, 0.5);
-        let told = ledger.line(false);
+        ledger.expect(Stage::Load, machine.forecast(3.0));
+        ledger.expect(Stage::Load, machine.forecast(0.5));
+        let told = ledger.line(false, &machine);
         assert!(told.starts_with("stages: load 0.000 s (forecast 3.5 s), solve 0.0"), "{told}");
     }
 }

@@ -7,7 +7,7 @@ use std::time::{Duration, Instant};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use radiosity_output::drawings::nice_numbers::round_above;
 use radiosity_work::ranks::Ranks;
-use radiosity_work::{Observer, Progress as Event, Stage};
+use radiosity_work::{Machine, Observer, Progress as Event, Stage};
 
 use crate::ledger::Ledger;
 use crate::options::ReportArgs;
@@ -20,6 +20,8 @@ pub(crate) struct Progress {
     pub(crate) quiet: bool,
     /// Whether finished stages are told.
     pub(crate) verbose: bool,
+    /// Threads that work.
+    threads: usize,
     /// Words at the end of every line.
     whole: Mutex<String>,
     ledger: Mutex<Ledger>,
@@ -29,18 +31,18 @@ pub(crate) struct Progress {
 const LONG: f64 = 1.0;
 
 impl Progress {
-    /// A bar of a run that began at this instant with what is done by now, which shows nothing yet; on the first of
-    /// these ranks only.
-    pub(crate) fn new(quiet: bool, started: Instant, ranks: &Ranks) -> Self {
-        Self::telling(quiet, false, started, ranks)
+    /// A bar of a run on so many threads (0: all) that began at this instant with what is done by now, which shows
+    /// nothing yet; on the first of these ranks only.
+    pub(crate) fn new(quiet: bool, threads: usize, started: Instant, ranks: &Ranks) -> Self {
+        Self::telling(quiet, false, threads, started, ranks)
     }
 
     /// A bar with the messages that `report` asks for.
-    pub(crate) fn of(report: &ReportArgs, started: Instant, ranks: &Ranks) -> Self {
-        Self::telling(report.quiet, report.verbose, started, ranks)
+    pub(crate) fn of(report: &ReportArgs, threads: usize, started: Instant, ranks: &Ranks) -> Self {
+        Self::telling(report.quiet, report.verbose, threads, started, ranks)
     }
 
-    fn telling(quiet: bool, verbose: bool, started: Instant, ranks: &Ranks) -> Self {
+    fn telling(quiet: bool, verbose: bool, threads: usize, started: Instant, ranks: &Ranks) -> Self {
         let quiet = quiet || !ranks.is_first();
         let shown = !quiet && stderr().is_terminal();
         let target =
@@ -56,6 +58,7 @@ impl Progress {
             bar: ProgressBar::with_draw_target(Some(0), target).with_style(style),
             quiet,
             verbose,
+            threads: ranks.threads(threads),
             whole: Mutex::default(),
             ledger: Mutex::new(ledger),
         }
@@ -73,7 +76,8 @@ impl Progress {
 
     /// The line of a summary on the stages of the run.
     pub(crate) fn stages(&self) -> String {
-        self.ledger().line(self.verbose)
+        let machine = Machine::of(self.threads);
+        self.ledger().line(self.verbose, &machine)
     }
 
     /// Shows that `done` of `total` steps of a stage are done; may be called from any thread.
@@ -104,13 +108,18 @@ impl Progress {
         self.bar.set_position(done);
     }
 
-    /// Announces, also without a terminal, about how long a stage will take, where that is long.
-    fn expect(&self, stage: Stage, seconds: f64) {
-        self.ledger().expect(stage, seconds);
-        self.announce(stage.name(), seconds);
+    /// Seconds by the clock of the threads of this run for a forecast.
+    pub(crate) fn seconds(&self, forecast: f64) -> f64 {
+        Machine::of(self.threads).seconds(forecast)
     }
 
-    /// Announces, also without a terminal, about how long something will take, where that is long.
+    /// Announces, also without a terminal, about how long a stage with this forecast will take, where that is long.
+    fn expect(&self, stage: Stage, forecast: f64) {
+        self.ledger().expect(stage, forecast);
+        self.announce(stage.name(), self.seconds(forecast));
+    }
+
+    /// Announces, also without a terminal, about how many seconds something will take, where that is long.
     pub(crate) fn announce(&self, what: &str, seconds: f64) {
         if !self.quiet && seconds >= LONG {
             self.write(format!("{what}: about {} s\n", round_above(seconds)));

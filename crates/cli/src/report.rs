@@ -67,7 +67,8 @@ fn run_in_the_dark(
         ));
     }
     let files = ReportFiles::reserve(path, &[], |path| loaded.reserve(path, report, ranks))?;
-    let progress = Progress::of(report, loaded.started, ranks);
+    let threads = args.run.method.threads.map_or(0, Threads::count);
+    let progress = Progress::of(report, threads, loaded.started, ranks);
     let heat = heat(args, loaded.scene(), &progress, ranks)?;
     let command = command();
     let page = ReportPage { scene: loaded.scene(), light: None, heat: Some(Ok(&heat)), command: &command };

@@ -114,16 +114,17 @@ struct Start {
 }
 
 impl Start {
-    /// The start of a run on a loaded scene; finds out whether the report can be written.
+    /// The start of a run of so many threads (0: all) on a loaded scene; finds out whether the report can be written.
     fn of(
         loaded: &Loaded,
         report: &ReportArgs,
+        threads: usize,
         deadline: Option<Arc<Deadline>>,
         ranks: &Ranks,
     ) -> Result<Self, CliError> {
         Ok(Self {
             ranks: ranks.clone(),
-            progress: Progress::of(report, loaded.started, ranks),
+            progress: Progress::of(report, threads, loaded.started, ranks),
             deadline,
             read_until: None,
             limit: None,
@@ -190,7 +191,7 @@ impl Run {
         args.check.check(&loaded.options(&args.method, ranks))?;
         let read_until = args.method.part_ends(loaded.started, DONE);
         let limit = args.method.part_ends(loaded.started, 1.0).map(|ends| Deadline::at(Some(ends)));
-        let start = Start { read_until, limit, ..Start::of(&loaded, &args.report, deadline, ranks)? };
+        let start = Start { read_until, limit, ..Start::of(&loaded, &args.report, options.threads, deadline, ranks)? };
         let solved = match (loaded.content, goal) {
             (Content::Solved(solved), _) => *solved,
             (Content::Scene(scene), Some(goal)) => {
@@ -208,7 +209,7 @@ impl Run {
         report: &ReportArgs,
         ranks: &Ranks,
     ) -> Result<Self, CliError> {
-        let start = Start::of(&loaded, report, None, ranks)?;
+        let start = Start::of(&loaded, report, 0, None, ranks)?;
         match loaded.content {
             Content::Solved(solved) => {
                 check.check(&solved.options)?;

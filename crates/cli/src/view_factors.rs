@@ -106,12 +106,13 @@ pub(crate) fn run(args: &ViewFactorsArgs, given: &TypedOptions, ranks: &Ranks) -
     let pairs = args.pairs.iter().map(|pair| named_pair(&scene, pair)).collect::<Result<Vec<_>, _>>()?;
     let output = args.output.as_deref().map(|path| args.scene.reserve(path, ranks));
     let destination = Destination::of(output.transpose()?, ranks);
-    let progress = Progress::new(args.transfers.quiet, start, ranks);
+    let progress = Progress::new(args.transfers.quiet, options.threads, start, ranks);
     let chosen: BTreeSet<[usize; 2]> = pairs.iter().copied().collect();
     let wanted = |i, j| chosen.is_empty() || chosen.contains(&[i, j]);
     let show = |event| match event {
         Event::Expected { stage, seconds } => {
             progress.ledger().expect(stage, seconds);
+            let seconds = progress.seconds(seconds);
             let what = if seconds > LONG { OTHER_WAY } else { "view factors" };
             progress.announce(what, seconds);
         }

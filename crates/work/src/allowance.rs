@@ -2,17 +2,14 @@
 
 use std::time::Instant;
 
+use crate::machine::Machine;
 use crate::work::Work;
-
-/// Threads that forecasts are of, whatever the number that works: what follows from them is the same on any machine.
-/// Chosen.
-pub const FORECAST_THREADS: f64 = 2.0;
 
 /// The time until an instant, of so many threads.
 #[derive(Clone, Copy, Debug)]
 pub struct Allowance {
     ends: Instant,
-    threads: usize,
+    machine: Machine,
 }
 
 impl Allowance {
@@ -24,7 +21,7 @@ impl Allowance {
 
     /// The allowance of so many threads until an instant.
     pub fn until(ends: Instant, threads: usize) -> Self {
-        Self { ends, threads }
+        Self { ends, machine: Machine::of(threads) }
     }
 
     /// Seconds, by the clock.
@@ -32,14 +29,14 @@ impl Allowance {
         self.ends.saturating_duration_since(Instant::now()).as_secs_f64()
     }
 
-    /// The seconds by the clock of these threads, as a forecast tells them.
-    pub fn told(&self, seconds: f64) -> f64 {
-        seconds * self.threads as f64 / FORECAST_THREADS
+    /// The forecast of what these threads do in so many seconds by the clock.
+    pub fn forecast(&self, seconds: f64) -> f64 {
+        self.machine.forecast(seconds)
     }
 
-    /// Whether what is told to take so long is done in time.
-    pub fn suffices(&self, told: f64) -> bool {
-        told <= self.told(self.seconds())
+    /// Whether what has this forecast is done in time.
+    pub fn suffices(&self, forecast: f64) -> bool {
+        forecast <= self.forecast(self.seconds())
     }
 }
 
@@ -52,8 +49,11 @@ mod tests {
     #[test]
     fn more_threads_have_time_for_more() {
         let ends = Instant::now() + Duration::from_secs(1000);
-        let suffices = |threads, told| Allowance::until(ends, threads).suffices(told);
-        assert!(suffices(1, 450.0) && !suffices(1, 550.0) && suffices(2, 950.0) && suffices(4, 1950.0));
+        let suffices = |threads, seconds| {
+            let forecast = Machine::of(1).forecast(seconds);
+            Allowance::until(ends, threads).suffices(forecast)
+        };
+        assert!(suffices(1, 950.0) && !suffices(1, 1050.0) && suffices(2, 1950.0) && suffices(4, 3950.0));
         let past = Allowance::until(Instant::now(), 2);
         assert!(past.suffices(0.0) && !past.suffices(1e-6));
     }

@@ -127,11 +127,11 @@ impl<'a> Shooting<'a> {
             self.progress.ledger().expect(Stage::Picture, count as f64 * each);
             self.film = Some(film);
         }
-        let of_first = self.progress.ledger().expected(Stage::Blocks);
+        let of_first = self.progress.ledger().forecast(Stage::Blocks);
         let others = self.range.count().saturating_sub(1);
         self.progress.ledger().expect(Stage::Blocks, FOLLOWING * others as f64 * of_first);
-        let all = [Stage::Blocks, Stage::Picture].map(|stage| self.progress.ledger().expected(stage));
-        let time = TimeLeft::new(self.begun, count, all[0] - of_first + all[1]);
+        let all = [Stage::Blocks, Stage::Picture].map(|stage| self.progress.ledger().forecast(stage));
+        let time = TimeLeft::new(self.begun, count, self.progress.seconds(all[0] - of_first + all[1]));
         self.progress.announce(&format!("{count} frames"), time.seconds(0));
         self.time = Some(time);
         Ok(())

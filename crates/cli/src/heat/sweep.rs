@@ -30,7 +30,7 @@ pub(super) fn run(
     let format = format::chosen(asked, output, SweptFormat::Csv)?;
     let reserve = |path: &Path| args.scene.reserve(path, ranks);
     let figures = Destination::of(output.map(reserve).transpose()?, ranks);
-    let progress = Progress::new(args.transfers.quiet, start, ranks);
+    let progress = Progress::new(args.transfers.quiet, options.threads, start, ranks);
     let show = |event| shown(event).into_iter().for_each(|event| progress.report(event));
     let work = Work::among(ranks).observed_by(&show);
     let swept: SweptHeat<ToldHeat> = sweep.balances(scene, options, &args.transfers.check, &work)?;

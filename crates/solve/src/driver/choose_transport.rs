@@ -70,7 +70,7 @@ impl TransportChoice {
     ) -> Self {
         let usual = usual_rays(scene.surfaces.len(), USUAL_ACCURACY) as f64;
         let finer = (USUAL_ACCURACY / options.accuracy().shadow_eps).max(1.0);
-        let rays = |left: Allowance| left.told(left.seconds()) / seconds_of_rays(1.0);
+        let rays = |left: Allowance| left.forecast(left.seconds()) / seconds_of_rays(1.0);
         let in_time = left.map_or(f64::INFINITY, rays);
         let limit = (AS_GOOD * finer * usual).min(in_time);
         let (price, about) = match exact_price_at_least(scene) {

@@ -66,7 +66,7 @@ pub(crate) fn seconds_of_rays_among(rays: u64, surfaces: usize) -> f64 {
 pub(super) fn rays_in_time(most: u64, surfaces: usize, left: Option<Allowance>) -> u64 {
     let in_time = |left: Allowance| {
         let sent = SENT * (left.seconds() - BESIDE * surfaces as f64).max(0.0);
-        let rays = left.told(sent) / seconds_of_rays_among(1, surfaces);
+        let rays = left.forecast(sent) / seconds_of_rays_among(1, surfaces);
         most.min((rays as u64).max(FEWEST * surfaces as u64))
     };
     left.map_or(most, in_time)
