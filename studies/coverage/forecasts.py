@@ -3,7 +3,8 @@
     python forecasts.py SHARED -o forecasts.csv [--command radiosity] [--only solve,heat]
     python forecasts.py table forecasts.csv
 
-SHARED is the folder with `scenes/mgf` and `cases/rooms`. Each run has one thread. What a machine does besides lengthens the stages, not the CPU time of a run: stages are scaled by the CPU time of the run over its wall time.
+SHARED is the folder with `scenes/mgf` and `cases/rooms`. Each run has one thread. What a machine does besides
+lengthens the stages, not the CPU time of a run: stages are scaled by the CPU time of the run over its wall time.
 """
 
 import argparse

@@ -6,7 +6,11 @@ use std::process::Command;
 use radiosity::geom::Adjacency;
 use radiosity::scene::Scene;
 use radiosity::visibility::inspection::{Fronts, Inspection};
+use radiosity_test_support::folders::json;
 use radiosity_test_support::scenes::{builtin, typed};
+use serde_json::Value;
+
+use crate::program::done;
 
 /// A scene of these surfaces, each `name | options and shape`, all of a material that emits.
 fn scene(surfaces: &[&str]) -> Scene {
@@ -337,4 +341,31 @@ fn many_unused_materials_are_cut() {
     let found: serde_json::Value = serde_json::from_str(&json).expect("JSON");
     assert_eq!(found["unused_materials"].as_array().map(Vec::len), Some(30));
     assert_eq!(found["read_outside"], serde_json::json!([]));
+}
+
+/// What `check --cost` counts is what a run then has, whichever way carries the light.
+#[test]
+fn the_cost_that_is_told_counts_what_a_run_has() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let of_cost = |scene: &str| -> Value {
+        let [found, _] = done(folder.path(), &["check", scene, "--cost", "--format", "json"]);
+        serde_json::from_str::<Value>(&found).expect("JSON")["cost"].clone()
+    };
+    for scene in ["empty-box", "teapot"] {
+        let ways = of_cost(scene);
+        for way in ways.as_array().expect("ways").iter().filter(|way| way["seconds"].as_f64() < Some(5.0)) {
+            let options = way["options"].as_str().expect("options").split_whitespace();
+            let args: Vec<&str> = ["solve", scene].into_iter().chain(options).collect();
+            done(folder.path(), &[&args[..], &["-o", "s.json", "--report", "r.json"]].concat());
+            let report = json(&folder.path().join("r.json"));
+            assert_eq!(way["unknowns"], report["unknowns"], "{args:?}");
+            assert_eq!(way["elements"], report["elements"], "{args:?}");
+            assert_eq!(way["rays"].is_null(), (report["transport"]["kind"] == "exact"), "{args:?}");
+        }
+    }
+    // Rules take longer in a teapot, and less memory.
+    let ways = of_cost("teapot");
+    let [usual, exact] = [0, 4].map(|way| &ways[way]);
+    assert!(exact["seconds"].as_f64() > usual["seconds"].as_f64());
+    assert!(exact["bytes"].as_u64() < usual["bytes"].as_u64());
 }

@@ -1,4 +1,6 @@
-//! `radiosity check`: what is in a scene, and what looks wrong.
+//! `radiosity check`: what is in a scene, what looks wrong, and what a solution costs.
+
+mod cost;
 
 use std::collections::BTreeMap;
 
@@ -19,11 +21,15 @@ use radiosity_work::printable::{printable, printable_lines};
 use radiosity_work::ranks::Ranks;
 use serde_json::{Value, json};
 
+use cost::Way;
+
 use crate::{console, error::CliError, loaded::outside, materials, options::SceneArg};
 
 /// Says what is in a scene, what touches what, and what looks wrong
 #[derive(Debug, Args)]
-#[command(after_help = "Example:\n  radiosity check room.toml")]
+#[command(
+    after_help = "Examples:\n  radiosity check room.toml\n  radiosity check room.toml --cost     what a solution takes, by its usual ways"
+)]
 pub(crate) struct CheckArgs {
     #[command(flatten)]
     pub(crate) scene: SceneArg,
@@ -31,6 +37,11 @@ pub(crate) struct CheckArgs {
     /// Text for people, or JSON with the same content
     #[arg(long, value_name = "FORMAT", default_value = "text")]
     pub(crate) format: Format,
+
+    /// Tells about the seconds that the transfers of a solution take here, and its memory, by the usual ways;
+    /// light at pixels, cells and points, and checks, come on top, and are told when they begin
+    #[arg(long)]
+    pub(crate) cost: bool,
 }
 
 /// Form of the findings.
@@ -45,9 +56,20 @@ pub(crate) enum Format {
 /// Prints the scene's bands, surfaces, contacts and camera, then the warnings.
 pub(crate) fn run(args: &CheckArgs, scene: &Scene, ranks: &Ranks) -> Result<(), CliError> {
     let inspection = Inspection::of(scene);
+    let ways = args.cost.then(|| Way::all(scene, ranks)).transpose()?;
     let text = match args.format {
-        Format::Text => printable_lines(&(lines(scene, &inspection).join("\n") + "\n")).into_owned(),
-        Format::Json => format!("{:#}\n", as_json(scene, &inspection)),
+        Format::Text => {
+            let cost = ways.map(|ways| Way::table(&ways).to_string());
+            let lines: Vec<String> = lines(scene, &inspection).into_iter().chain(cost).collect();
+            printable_lines(&(lines.join("\n") + "\n")).into_owned()
+        }
+        Format::Json => {
+            let mut found = as_json(scene, &inspection);
+            if let Some(ways) = ways {
+                found["cost"] = ways.iter().map(Way::as_json).collect();
+            }
+            format!("{found:#}\n")
+        }
     };
     console::print(text.as_bytes(), ranks)?;
     let is_wrong = |warning: &&Warning| !warning.is_of_something_missing();

@@ -191,7 +191,11 @@ impl Run {
         args.check.check(&loaded.options(&args.method, ranks))?;
         let read_until = args.method.part_ends(loaded.started, DONE);
         let limit = args.method.part_ends(loaded.started, 1.0).map(|ends| Deadline::at(Some(ends)));
-        let start = Start { read_until, limit, ..Start::of(&loaded, &args.report, options.threads, deadline, ranks)? };
+        let start = Start {
+            read_until,
+            limit,
+            ..Start::of(&loaded, &args.report, options.threads, deadline, ranks)?
+        };
         let solved = match (loaded.content, goal) {
             (Content::Solved(solved), _) => *solved,
             (Content::Scene(scene), Some(goal)) => {

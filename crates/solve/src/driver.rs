@@ -60,6 +60,7 @@ mod shooting;
 mod beside_known;
 mod band_systems;
 mod ready;
+mod run_forecast;
 mod model;
 mod by_links;
 
@@ -85,6 +86,7 @@ pub(crate) use outcome::{FrameLight, timed};
 pub use outcome::{Functional, Outcome, Stages};
 pub use preconditioning::Preconditioning;
 pub use relaxing::{RelaxedAtOnce, Relaxing, SweepOrder};
+pub use run_forecast::RunForecast;
 pub use sampling::Sampling;
 pub use shots::{Shot, ShotLimit, Shots};
 pub use transport_choice::{MOST_RAYS, Transport, TransportChoice};

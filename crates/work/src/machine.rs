@@ -91,10 +91,13 @@ impl Table {
         let mut place = 0;
         let mut sum = 0.0;
         for step in 0..STEPS {
-            let inside = self.boxes[place].iter().zip(slopes).fold([0.0_f64, f64::MAX], |[near, far], (side, slope)| {
-                let [first, last] = side.map(|at| at * slope);
-                [near.max(first), far.min(last)]
-            });
+            let inside = self.boxes[place].iter().zip(slopes).fold(
+                [0.0_f64, f64::MAX],
+                |[near, far], (side, slope)| {
+                    let [first, last] = side.map(|at| at * slope);
+                    [near.max(first), far.min(last)]
+                },
+            );
             let is_met = inside[0] < inside[1];
             sum += if is_met { (inside[1] - inside[0]).sqrt() } else { 0.0 };
             place = (place * 5 + step + 1 + usize::from(is_met)) % BOXES;

@@ -252,7 +252,7 @@ fn subspace(scene: &Scene, options: &Options, elements: &Elements) -> Option<Sub
 }
 
 /// The elements of `scene`; those that are known from `before`, where some surfaces stood elsewhere.
-fn elements(
+pub(super) fn elements(
     scene: &Scene,
     decisions: &Decisions<'_>,
     before: Option<&Elements>,
