@@ -1,4 +1,4 @@
-//! What emits in a scene, for direct light that no solution needs be found for.
+//! The emission of a scene, for direct light that no solution needs be found for.
 
 use radiosity::elements::coating::Coating;
 use radiosity::elements::{Discretization, Elements, Subdivide};
@@ -16,7 +16,7 @@ pub struct Sources {
 }
 
 impl Sources {
-    /// What emits in `scene`, whose obstacles are given.
+    /// The emission of `scene`, whose obstacles are given.
     #[track_caller]
     pub fn of(scene: &Scene, visibility: &Visibility) -> Self {
         let Options { order, space, layers, near_layers, .. } = Options::default();
