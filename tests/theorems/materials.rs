@@ -95,8 +95,7 @@ proptest! {
         let shape = Parallelogram::new(DVec3::new(0.2, 0.3, 0.5), DVec3::X * 0.5, DVec3::Y * 0.4);
         let _: &mut SurfaceDraft =
             builder.surface("sheet", shape.expect("a square"), &sheet).two_sided().subdivide(split, 1);
-        let options = Options { order: 2, eps: 1e-10, ..exact() };
-        let outcome = outcome_of(&builder.build().expect("a scene"), &options);
+        let outcome = outcome_of(&builder.build().expect("a scene"), &Options { order: 2, ..exact() });
         prop_assert!(off_one(&outcome) < 1e-7, "{}", off_one(&outcome));
     }
 }
@@ -123,7 +122,7 @@ material = "wall"
 box = { origin = [0.2, 0.2, 0.5], size = [0.3, 0.6, 0.2] }
 "#;
     let scene = typed(room);
-    let outcome = outcome_of(&scene, &Options { order: 1, eps: 1e-9, shadow_eps: 1e-7, ..exact() });
+    let outcome = outcome_of(&scene, &Options { order: 1, shadow_eps: 1e-7, ..exact() });
     let (solution, ones) = (&outcome.solution, outcome.solution.elements().constant());
     let light = &solution.bands()[0].coefficients.irradiance;
     // What touches a body below it receives nothing, or all from it.

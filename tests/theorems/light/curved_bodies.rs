@@ -186,7 +186,7 @@ impl Way {
         let masking = Masking { cells: MASKS, average: Average::Weighted };
         let masks = self.masks.then_some(masking);
         let Self { transport, direct, .. } = *self;
-        Options { transport, direct, masks, order: 2, eps: READ, ..Options::default() }
+        Options { transport, direct, masks, order: 1, eps: READ, ..Options::default() }
     }
 }
 
