@@ -219,7 +219,7 @@ fn a_run_by_links_of_whole_squares_is_the_furnace() {
     assert!(checks.energy_lost.abs() < 1e-7 * checks.energy_in && (checks.spectral_bound - 0.5).abs() < 1e-9);
 }
 
-/// The error that is told of gathered light is that against polynomials of order 5, within a factor of three.
+/// The error that is told of gathered light is that against polynomials of order 4, within a factor of three.
 #[test]
 fn runs_by_links_tell_the_error_of_gathered_light() {
     let scene = builtin("two-boxes");
@@ -228,7 +228,7 @@ fn runs_by_links_tell_the_error_of_gathered_light() {
     let rough =
         Solved::to_accuracy(scene.clone(), &options, &goal, &Work::alone()).expect("it can be solved");
     let told = rough.achieved.and_then(|achieved| achieved.estimate).expect("it is told");
-    let exact = Options { order: 5, eps: 1e-4, shadow_eps: 1e-3, ..Options::default() };
+    let exact = Options { order: 4, eps: 3e-4, shadow_eps: 1e-3, ..Options::default() };
     let exact = solved_of(scene, exact);
     let (mut missed, mut size) = (0.0, 0.0);
     let elements =

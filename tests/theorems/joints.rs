@@ -20,10 +20,10 @@ fn room(floors: &str) -> Scene {
     ))
 }
 
-/// The largest jump at seams, and the largest across joints.
-fn jumps(scene: &Scene, order: usize) -> (f64, Option<JointJump>) {
+/// The largest jump at seams, and the largest across joints, of light by transfers to this accuracy.
+fn jumps(scene: &Scene, order: usize, eps: f64) -> (f64, Option<JointJump>) {
     let options =
-        Options { order, subdivide: Some(1), transport: Transport::Exact, eps: 1e-4, ..Options::default() };
+        Options { order, subdivide: Some(1), transport: Transport::Exact, eps, ..Options::default() };
     let outcome = outcome_of(scene, &options);
     (outcome.checks.seam_jump_max, joint_jump(&outcome.solution))
 }
@@ -40,10 +40,10 @@ const HALVES: &str = "{ name = \"west\", material = \"wall\", \
 #[test]
 fn a_joint_jumps_as_a_seam_in_its_place() {
     let (whole, halves) = (room(WHOLE), room(HALVES));
-    for order in [0, 1, 3] {
-        let (seam, none) = jumps(&whole, order);
+    for order in [0, 2] {
+        let (seam, none) = jumps(&whole, order, 1e-4);
         assert!(none.is_none(), "walls meet at right angles");
-        let (uncut, joint) = jumps(&halves, order);
+        let (uncut, joint) = jumps(&halves, order, 1e-4);
         assert_eq!(uncut, 0.0, "surfaces are not cut");
         let found = joint.expect("the halves of the floor lie in one plane");
         let names = found.surfaces.map(|surface| halves.surfaces[surface].name.as_str());
@@ -63,7 +63,7 @@ fn curved_surfaces_go_on_smoothly() {
     };
     let lid = "{ name = \"lid\", material = \"wall\", disk = { center = [2.5, 1.5, 1.5], normal = [0, 0, 1], radius = 0.4 } }";
     let scene = room(&[WHOLE, &half("near", [90.0, 270.0]), &half("far", [-90.0, 90.0]), lid].join(", "));
-    let [low, high] = [1, 4].map(|order| jumps(&scene, order).1.expect("there are joints"));
+    let [low, high] = [1, 4].map(|order| jumps(&scene, order, 1e-3).1.expect("there are joints"));
     for found in [low, high] {
         assert_eq!(found.surfaces.map(|surface| scene.surfaces[surface].name.as_str()), ["near", "far"]);
     }
@@ -75,5 +75,5 @@ fn curved_surfaces_go_on_smoothly() {
 fn a_wall_on_a_joint_parts_it() {
     let screen = "{ name = \"screen\", material = \"wall\", two_sided = true, \
         parallelogram = { origin = [2, 0, 0], edge1 = [0, 3, 0], edge2 = [0, 0, 2.5] } }";
-    assert_eq!(jumps(&room(&[HALVES, screen].join(", ")), 2).1, None);
+    assert_eq!(jumps(&room(&[HALVES, screen].join(", ")), 2, 1e-3).1, None);
 }

@@ -66,18 +66,19 @@ fn error(scene: &Scene, truth: &Opposed, order: usize, place: impl Fn(f64) -> ([
 fn integral_equations_have_known_first_bounces() {
     let reflectance = 1e-9;
     for distance in [0.1f64, 0.5, 2.0] {
-        let arrived =
-            |plates, x: f64| (Opposed::new(plates, distance, reflectance).radiosity(x) - 1.0) / reflectance;
+        let [strips, disks] =
+            [Plates::Strips, Plates::Disks].map(|plates| Opposed::new(plates, distance, reflectance));
+        let arrived = |plates: &Opposed, x: f64| (plates.radiosity(x) - 1.0) / reflectance;
         for x in [0.0f64, 0.3, 0.5] {
             let sine = |y: f64| y / y.hypot(distance);
             let exact = 0.5 * (sine(0.5 - x) + sine(0.5 + x));
-            assert!((arrived(Plates::Strips, x) - exact).abs() < 1e-6, "strips at {distance}, {x}");
+            assert!((arrived(&strips, x) - exact).abs() < 1e-6, "strips at {distance}, {x}");
         }
         // The factor from a point over a disk: ½ (1 − (h² + x² − 1) / √((h² + x² + 1)² − 4 x²)).
         for x in [0.0f64, 0.5, 1.0] {
             let sum = distance * distance + x * x;
             let exact = 0.5 * (1.0 - (sum - 1.0) / ((sum + 1.0).powi(2) - 4.0 * x * x).sqrt());
-            assert!((arrived(Plates::Disks, x) - exact).abs() < 1e-6, "disks at {distance}, {x}");
+            assert!((arrived(&disks, x) - exact).abs() < 1e-6, "disks at {distance}, {x}");
         }
     }
 }

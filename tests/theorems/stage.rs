@@ -63,13 +63,14 @@ fn a_stage_that_is_led_along_a_path_shows_its_frames() {
     }
 }
 
-/// The stage after a hundred frames in which the lamp goes round and comes back, with its first and last one.
+/// The stage after forty frames in which the lamp goes round and comes back, with its first and last one.
 fn round(scene: &Scene, options: &Options) -> [Frame; 2] {
+    const STEPS: u32 = 40;
     let mut stage = stage(scene, options);
     let first = frame(&mut stage);
     let mut last = None;
-    for step in 1..=100 {
-        let angle = if step == 100 { 0.0 } else { TAU * f64::from(step) / 100.0 };
+    for step in 1..=STEPS {
+        let angle = if step == STEPS { 0.0 } else { TAU * f64::from(step) / f64::from(STEPS) };
         stage.move_to("lamp", shift(angle.cos() - 1.0, 0.5 * angle.sin(), 0.0)).expect("it is there");
         last = Some(frame(&mut stage));
     }
@@ -77,7 +78,7 @@ fn round(scene: &Scene, options: &Options) -> [Frame; 2] {
 }
 
 #[test]
-fn a_loop_of_a_hundred_frames_ends_where_it_began() {
+fn a_loop_of_forty_frames_ends_where_it_began() {
     let scene = builtin("sliding-light");
     let [first, last] = round(&scene, &exact());
     let alone = outcome_of(&scene, &Options { tolerance: 1e-12, ..exact() }).solution;

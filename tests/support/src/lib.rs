@@ -40,6 +40,8 @@ pub mod readers;
 #[cfg(feature = "house")]
 pub mod given;
 #[cfg(feature = "house")]
+pub mod sources;
+#[cfg(feature = "house")]
 pub mod direct;
 #[cfg(feature = "house")]
 pub mod opposed;

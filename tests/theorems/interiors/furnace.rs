@@ -21,7 +21,7 @@ use radiosity_test_support::random::Random;
 const EPS: f64 = 1e-3;
 
 /// Interiors for each one that has curved things in it: these take ten times as long.
-const CURVED: usize = 5;
+const CURVED: usize = 10;
 
 /// Error that a row may have, over the accuracy asked: it is a sum of some fifty factors. One in two hundred
 /// is off by more than once.
@@ -149,7 +149,7 @@ fn hunt(seed: u64, count: usize) {
 
 #[test]
 fn interiors_are_furnaces_at_every_sensor() {
-    hunt(1, 20);
+    hunt(1, 10);
 }
 
 #[test]

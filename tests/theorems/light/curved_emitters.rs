@@ -11,10 +11,11 @@ use radiosity_geom::{DVec3, Rect, Surface};
 use radiosity_test_support::direct::{ACCURACY, in_the_open};
 use radiosity_test_support::random::Random;
 use radiosity_test_support::scenes::typed;
-use radiosity_test_support::solved::outcome_of;
+use radiosity_test_support::sources::Sources;
 
-/// Points along each direction of the chart.
-const GRID: usize = 300;
+/// Points along each direction of the chart, and for the light that errors are compared with.
+const GRID: usize = 240;
+const COARSE: usize = 60;
 
 /// Receivers of each emitter.
 const RECEIVERS: usize = 60;
@@ -65,10 +66,10 @@ fn downlight(exponent: f64) -> Scene {
 }
 
 /// Irradiance by quadrature of a surface whose radiance is a function of the cosine to its normal.
-fn quadrature(shape: &dyn Surface, radiance: impl Fn(f64) -> f64, x: DVec3, n: DVec3) -> f64 {
-    let place = |k: usize| (2.0 * k as f64 + 1.0) / GRID as f64 - 1.0;
+fn quadrature(grid: usize, shape: &dyn Surface, radiance: impl Fn(f64) -> f64, x: DVec3, n: DVec3) -> f64 {
+    let place = |k: usize| (2.0 * k as f64 + 1.0) / grid as f64 - 1.0;
     let part = |k: usize| {
-        let jet = shape.jet(place(k / GRID), place(k % GRID));
+        let jet = shape.jet(place(k / grid), place(k % grid));
         let step = jet.position - x;
         let (arriving, leaving) = (step.dot(n), -step.dot(jet.normal));
         if arriving <= 0.0 || leaving <= 0.0 {
@@ -77,7 +78,7 @@ fn quadrature(shape: &dyn Surface, radiance: impl Fn(f64) -> f64, x: DVec3, n: D
         let square = step.length_squared();
         radiance(leaving / square.sqrt()) * arriving * leaving * jet.area / (square * square)
     };
-    (0..GRID * GRID).map(part).sum::<f64>() * 4.0 / (GRID * GRID) as f64
+    (0..grid * grid).map(part).sum::<f64>() * 4.0 / (grid * grid) as f64
 }
 
 /// Receivers before the front of a surface, 0.2 to 30 of its sizes away, of any normal.
@@ -101,13 +102,14 @@ fn check(name: &str, scene: &Scene, index: usize, radiance: impl Fn(f64) -> f64 
     let shape = &*scene.surfaces[index].shape;
     let points = receivers(shape, &mut Random(index as u64 + name.len() as u64));
     let cells = in_the_open(scene, &Options::default(), &points, ACCURACY);
-    let outcome = outcome_of(scene, &Options::default());
-    let (emitters, visibility) = (outcome.solution.emitters(), Options::default().visibility(scene));
+    let visibility = Options::default().visibility(scene);
+    let sources = Sources::of(scene, &visibility);
+    let emitters = sources.emitters();
     let forms = Penumbra::new(&emitters, &visibility, ACCURACY);
     let hull = shape.hull(&Rect::FULL);
     for ((x, n), by_cells) in points.into_iter().zip(cells) {
-        let right = quadrature(shape, radiance, x, n);
-        let facing = quadrature(shape, |_| radiance(1.0), x, -x.normalize());
+        let right = quadrature(GRID, shape, radiance, x, n);
+        let facing = quadrature(COARSE, shape, |_| radiance(1.0), x, -x.normalize());
         let assert_right = |found: f64, by: &str| {
             let off = (found - right) / (right + DARK * facing);
             assert!(off.abs() < ACCURACY, "{name} from {x} towards {n} by {by}: {found}, not {right}");

@@ -17,7 +17,7 @@ use radiosity::solve::Options;
 use radiosity_geom::DVec3 as V;
 use radiosity_test_support::random::Random;
 use radiosity_test_support::scenes::typed;
-use radiosity_test_support::solved::outcome_of;
+use radiosity_test_support::sources::Sources;
 
 /// Accuracy of readings by default.
 const EPS: f64 = 1.25e-3;
@@ -256,9 +256,9 @@ fn errors(windows: &[Window], sensors: usize, random: &mut Random) -> Vec<[f64; 
         let places: Vec<(V, V)> = (0..sensors).map(|_| window.sensor(random)).collect();
         for ((sky, worst), level) in SKIES.iter().zip(&mut worst).zip(levels) {
             let scene = window.scene(sky);
-            let options = Options::default();
-            let (outcome, visibility) = (outcome_of(&scene, &options), options.visibility(&scene));
-            let sources = outcome.solution.emitters();
+            let visibility = Options::default().visibility(&scene);
+            let sources = Sources::of(&scene, &visibility);
+            let sources = sources.emitters();
             let cells = DirectLight::within(&sources, &visibility, EPS);
             let pictures = Penumbra::new(&sources, &visibility, EPS);
             for (x, n) in &places {

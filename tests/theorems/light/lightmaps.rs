@@ -13,6 +13,9 @@ use radiosity_test_support::solved::solved_of;
 
 use super::groups::{LAMPS, room};
 
+/// One of so many texels is compared: gathering takes some milliseconds for each.
+const COMPARED: usize = 5;
+
 fn solved(scene: Scene) -> Solved {
     solved_of(scene, Options::default())
 }
@@ -62,7 +65,7 @@ fn difference(solved: &Solved, lightmap: &Lightmap, factors: &[f64]) -> f64 {
     for (surface, texture) in lightmap.surfaces().iter().enumerate() {
         let [columns, rows] = texture.size();
         let inside = (1..rows - 1).flat_map(|j| (1..columns - 1).map(move |i| [i, j]));
-        for texel in inside.filter(|texel| texture.is_computed(*texel)) {
+        for texel in inside.filter(|texel| texture.is_computed(*texel)).step_by(COMPARED) {
             let parameters = texture.parameters(texel);
             let shape = solution.elements().shape(surface);
             let jet = shape.jet(parameters[0], parameters[1]);
@@ -81,7 +84,7 @@ fn difference(solved: &Solved, lightmap: &Lightmap, factors: &[f64]) -> f64 {
             }
         }
     }
-    assert!(count > 1000, "{count} texels were compared");
+    assert!(count > 500, "{count} texels were compared");
     (squares / f64::from(count)).sqrt() / (sums / f64::from(count))
 }
 

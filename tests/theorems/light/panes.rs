@@ -15,7 +15,7 @@ use radiosity::solve::Options;
 use radiosity_geom::DVec3 as V;
 use radiosity_test_support::random::Random;
 use radiosity_test_support::scenes::typed;
-use radiosity_test_support::solved::outcome_of;
+use radiosity_test_support::sources::Sources;
 
 /// Accuracy of readings by default.
 const EPS: f64 = 1.25e-3;
@@ -75,8 +75,9 @@ fn largest(panes: u32, is_even: bool, random: &mut Random) -> f64 {
          parallelogram = {{ origin = [0, 0, 0], edge1 = [{}, 0, 0], edge2 = [0, 0, {}] }}\n",
         PANE[0], PANE[1]
     ));
-    let outcome = outcome_of(&scene, &Options::default());
-    let (emitters, visibility) = (outcome.solution.emitters(), Options::default().visibility(&scene));
+    let visibility = Options::default().visibility(&scene);
+    let sources = Sources::of(&scene, &visibility);
+    let emitters = sources.emitters();
     let direct = DirectLight::within(&emitters, &visibility, EPS);
     let rays = Penumbra::new(&emitters, &visibility, EPS);
     let off = |_| {

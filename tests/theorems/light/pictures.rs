@@ -20,7 +20,7 @@ use radiosity_test_support::solved::outcome_of;
 const SIZE: usize = 256;
 
 /// One of so many pixels is compared: no divisor of [`SIZE`], and gathering takes some milliseconds for each.
-const COMPARED: usize = 53;
+const COMPARED: usize = 171;
 
 /// A place that a pixel sees, with what is read there.
 struct ReadPlace {

@@ -12,7 +12,7 @@ use radiosity_geom::DVec3 as V;
 use radiosity_test_support::compare::assert_close;
 use radiosity_test_support::direct::in_the_open;
 use radiosity_test_support::scenes::typed;
-use radiosity_test_support::solved::outcome_of;
+use radiosity_test_support::sources::Sources;
 
 const EPS: f64 = 1e-3;
 
@@ -96,9 +96,9 @@ fn what_stands_across_a_globe_is_seen() {
 #[test]
 fn what_is_shut_out_is_no_emitter() {
     let lamp = scene(Some(0.0), true);
-    let outcome = outcome_of(&lamp, &Options::default());
     let visibility = Options::default().visibility(&lamp);
-    let direct = DirectLight::within(&outcome.solution.emitters(), &visibility, EPS);
+    let sources = Sources::of(&lamp, &visibility);
+    let direct = DirectLight::within(&sources.emitters(), &visibility, EPS);
     let within = ReceiverPoint::free(V::new(0.0, 0.0, -0.3), V::Z);
     assert!(direct.is_smooth(&within.site(), &direct.around(&within.site())), "something stands there");
 }

@@ -23,7 +23,7 @@ const SIZE: u32 = 200;
 const SENSORS: usize = 4;
 
 /// One of so many cells is compared.
-const EVERY: usize = 7;
+const EVERY: usize = 13;
 
 /// Relative accuracy of what is read.
 const EPS: f64 = 4e-3;
