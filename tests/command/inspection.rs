@@ -343,7 +343,7 @@ fn many_unused_materials_are_cut() {
     assert_eq!(found["read_outside"], serde_json::json!([]));
 }
 
-/// What `check --cost` counts is what a run then has, whichever way carries the light.
+/// Counts that `check --cost` tells are those that a run then has, whichever way carries the light.
 #[test]
 fn the_cost_that_is_told_counts_what_a_run_has() {
     let folder = tempfile::tempdir().expect("a folder");

@@ -1,17 +1,21 @@
 //! The speed of this machine, for what is told of times.
 //!
-//! A forecast is a sum of counts times prices, in seconds of [`FORECAST_THREADS`] threads of the machine on which prices
-//! were measured. It is the same on any machine, and so are the ways that are chosen by it. On w threads of this machine
+//! A forecast is a sum of counts times prices, in seconds of [`FORECAST_THREADS`] threads of the machine on
+//! which prices were measured. It is the same on any machine, and so are the ways that are chosen by it. On w
+//! threads of this machine
 //!
 //! ```text
 //! seconds by the clock = forecast × slowness × FORECAST_THREADS / w ,
 //! ```
 //!
-//! where the slowness is the time of a fixed walk through a table of boxes over [`USUAL`], its time on that machine.
-//! Rays, on which most of the time goes, walk in the same manner: each step waits for the outcome of the one before.
+//! where the slowness is the time of a fixed walk through a table of boxes over [`USUAL`], its time on that
+//! machine. Rays, on which most of the time goes, walk in the same manner: each step waits for the outcome of
+//! the one before.
 
 use std::hint::black_box;
+use std::num::NonZero;
 use std::sync::OnceLock;
+use std::thread;
 use std::time::{Duration, Instant};
 
 /// Threads that forecasts are of, whatever the number that works. Chosen.
@@ -35,11 +39,12 @@ pub struct Machine {
 }
 
 impl Machine {
-    /// So many threads of this machine, at least one. Its speed is measured at the first call, which takes a
-    /// millisecond.
+    /// So many threads of this machine, at least one; more than it has processors are as quick as these. Its speed
+    /// is measured at the first call, which takes a millisecond.
     pub fn of(threads: usize) -> Self {
         static SLOWNESS: OnceLock<f64> = OnceLock::new();
-        Self { threads: threads.max(1), slowness: *SLOWNESS.get_or_init(slowness) }
+        let processors = thread::available_parallelism().map_or(threads, NonZero::get);
+        Self { threads: threads.clamp(1, processors.max(1)), slowness: *SLOWNESS.get_or_init(slowness) }
     }
 
     /// Seconds by the clock in which these threads do what a forecast tells.

@@ -9,7 +9,7 @@ use super::forecast::seconds_of_pairs;
 use super::options::Options;
 use super::ready::{elements, require_diffuse};
 
-/// What a solution takes, by counts of its elements, pairs and rays.
+/// The forecast of a solution, by counts of its elements, pairs and rays.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RunForecast {
     /// Rays that carry the light between surfaces; None where rules do.
