@@ -7,6 +7,7 @@ use super::{Hull, Visibility};
 use crate::blocker_edges::BlockerEdge;
 use crate::blocker_shadow::BlockerShadow;
 use crate::bounding_ball::Ball;
+use crate::round_shadow::RoundShadow;
 use crate::shadow_cone::ShadowCone;
 use crate::shadow_volume::ShadowVolume;
 
@@ -73,16 +74,18 @@ impl Visibility {
         }
     }
 
-    /// The `surfaces` with only the first face of each body, and without those within a ball among them, whose
-    /// shadows that of the ball covers.
+    /// The `surfaces` with only the first face of each body and the first side of each sheet, and without those
+    /// within a ball or a can among them, whose shadows that of the ball covers.
     pub fn one_of_each_body(&self, surfaces: &[usize]) -> Vec<usize> {
         let is_first = |(place, surface): &(usize, &usize)| {
-            !surfaces[..*place].iter().any(|other| self.are_of_one_body(*other, **surface))
+            !surfaces[..*place].iter().any(|other| {
+                self.are_of_one_body(*other, **surface) || self.sheet(*other) == self.sheet(**surface)
+            })
         };
         let is_covered = |(place, surface): &(usize, &usize)| {
             let covers = |(at, other): (usize, &usize)| {
                 at != *place
-                    && self.ball(*other).is_some()
+                    && (self.ball(*other).is_some() || self.frustum(*other).is_some())
                     && self.encloses(*other, **surface)
                     && !(self.encloses(**surface, *other) && at > *place)
             };
@@ -93,7 +96,7 @@ impl Visibility {
     }
 
     /// Shadows from `x` of `surfaces` with outlines, one per body, that may hide a part of `ball`; those of
-    /// balls with so many `corners` on a full turn.
+    /// round ones with so many `corners` on a full turn.
     pub fn shadows(&self, surfaces: &[usize], x: DVec3, ball: &Ball, corners: usize) -> Vec<BlockerShadow> {
         let mut shadows = Vec::with_capacity(surfaces.len());
         let stands = |piece: &[DVec3]| !ball.is_beside(piece, x);
@@ -103,17 +106,39 @@ impl Visibility {
                 shadows.extend(ShadowCone::over(center, radius, x, corners).map(BlockerShadow::Cone));
                 continue;
             }
+            if let Some(frustum) = self.frustum(*surface) {
+                let pyramid = frustum.outline(x).and_then(|outline| outline.pyramid(x, corners));
+                shadows.extend(pyramid.map(BlockerShadow::Pyramid));
+                continue;
+            }
             self.add_volumes(*surface, x, stands, &mut volumes);
             shadows.extend(volumes.drain(..).map(BlockerShadow::Pyramid));
         }
         shadows
     }
 
-    /// The edges of a planar surface, or of the convex body it belongs to; of a ball those that stand for its
-    /// outline.
+    /// The only one of `blockers`, if it is a whole ball, or closes a can, a cone or a disk.
+    pub fn only_round(&self, blockers: &[usize]) -> Option<usize> {
+        let [only] = blockers else { return None };
+        (self.ball(*only).is_some() || self.frustum(*only).is_some()).then_some(*only)
+    }
+
+    /// The shadow of a round surface from `x`; None where it hides nothing.
+    pub fn round_shadow(&self, surface: usize, x: DVec3) -> Option<RoundShadow<'_>> {
+        match self.ball(surface) {
+            Some((center, radius)) => ShadowCone::over(center, radius, x, 0).map(RoundShadow::of_ball),
+            None => RoundShadow::of_frustum(self.frustum(surface)?, x),
+        }
+    }
+
+    /// The edges of a planar surface, or of the convex body it belongs to; of round ones those that stand for
+    /// their outlines.
     pub fn blocker_edges(&self, surface: usize) -> Vec<BlockerEdge> {
         if let Some((center, radius)) = self.ball(surface) {
             return BlockerEdge::about_ball(center, radius).collect();
+        }
+        if let Some(frustum) = self.frustum(surface) {
+            return frustum.edges();
         }
         match self.bodies.of(surface) {
             Some(body) => body.blocker_edges().collect(),

@@ -8,9 +8,11 @@
 use radiosity_kernel::Accuracy;
 use radiosity_kernel::estimates::entry_bounds::{ROW_SHARE, relaxed};
 use radiosity_visibility::Visibility;
+use radiosity_visibility::frustum::Frustum;
 use radiosity_work::interruption::check_interrupt;
 
 use crate::kept_blocks::Request;
+use crate::occlusion::beside_frusta::outer_sides;
 use crate::occlusion::outlines::{Limit, share_sphere};
 use crate::occlusion::outside_ball::lies_outside;
 use crate::pair::tolerance::Tolerance;
@@ -65,7 +67,8 @@ impl Goal {
 
     /// The request for the block of a task with this goal, as kept blocks are compared by.
     pub(super) fn request(&self, task: &Task, visibility: &Visibility) -> Request {
-        let faces = |surface| visibility.faces(surface).iter().copied();
+        let lid = |surface| visibility.frustum(surface).and_then(Frustum::lid);
+        let faces = |surface| visibility.faces(surface).iter().copied().chain(lid(*surface));
         let surfaces = task.blockers.iter().chain(&task.own).flat_map(faces).collect();
         let mut numbers = self.bits();
         numbers.extend([task.blockers.len() as u64, task.estimate.to_bits()]);
@@ -146,8 +149,9 @@ impl Schedule<'_> {
     }
 
     /// Whether shadows are found by outlines: all blockers are planar, or balls outside which both elements
-    /// lie, at least one element is planar or both lie on the inside of one sphere that holds all blockers, and
-    /// neither hides part of itself (its light would be taken off twice).
+    /// lie, at least one element is planar or both lie on the inside of one sphere that holds all blockers, one of
+    /// them is [beside](crate::occlusion::beside_frusta) all cans, cones and disks, and neither hides part of
+    /// itself (its light would be taken off twice).
     pub(super) fn has_outlines(&self, task: &Task) -> bool {
         let elements = task.pair().map(|index| &self.list[index]);
         let is_outside = |blocker: &usize| {
@@ -163,9 +167,9 @@ impl Schedule<'_> {
         };
         task.own.is_empty()
             && self.visibility.has_outlines(&task.blockers)
-            && (elements.iter().any(|element| element.plane.is_some())
-                || are_within() && share_sphere(elements))
             && task.blockers.iter().all(is_outside)
+            && (outer_sides(elements, &task.blockers, self.visibility).contains(&true)
+                || are_within() && share_sphere(elements))
     }
 
     /// The largest `entry(task, [element of the row, other element])` of each row, rounded down: where things

@@ -59,6 +59,8 @@ pub(super) struct Correction<'a> {
     /// Relative accuracy of the inner integrals: 0.3 of the block's, most of which is left to the outer ones.
     pub(super) accuracy: f64,
     pub(super) limit: Limit,
+    /// Whether kinks between flat elements are curved, as those past round things: no cut follows them.
+    pub(super) is_round: bool,
 }
 
 impl<'a> Correction<'a> {
@@ -104,6 +106,8 @@ impl<'a> Correction<'a> {
             ball_corners: ball_corners(accuracy) * more_corners,
             accuracy,
             limit,
+            is_round: pair.iter().all(|element| element.plane.is_some())
+                && !visibility.are_planar(blockers),
         }
     }
 }

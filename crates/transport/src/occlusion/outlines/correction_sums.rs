@@ -8,6 +8,7 @@ use radiosity_elements::rule::UnitRule;
 use radiosity_geom::{Aabb, DVec2, DVec3, clip_polygon, polygon_area};
 use radiosity_kernel::contact::gap::point_to_polygon;
 use radiosity_kernel::irradiance::ball::ball;
+use radiosity_kernel::irradiance::within_polygon::hidden_by_round;
 use radiosity_kernel::irradiance::visible_polygon::{inside_any, irradiance, irradiance_seen};
 use radiosity_kernel::moments::{Moments, Side};
 use radiosity_kernel::rules::far;
@@ -15,7 +16,7 @@ use radiosity_kernel::rules::far::SMALLEST_RATIO;
 use radiosity_kernel::rules::zone::Zone;
 use radiosity_visibility::blocker_shadow::BlockerShadow;
 use radiosity_visibility::bounding_ball::Ball;
-use radiosity_visibility::shadow_volume::Corners;
+use radiosity_visibility::shadow_volume::{Corners, Coverage, cut_at_horizon};
 use radiosity_work::interruption::check_interrupt;
 
 use crate::occlusion::outlines::cell_cut::CellCut;
@@ -50,7 +51,8 @@ pub(super) struct Occlusion {
     pub hides: bool,
     /// Whether everything is hidden from every point of the rule.
     pub dark: bool,
-    /// Estimate of the largest error from cells left at the smallest size.
+    /// Estimate of the largest error, from cells left at the smallest size, and from those on which two levels
+    /// agree where kinks are curved.
     pub error: f64,
     /// Terms of the rules.
     pub samples: u64,
@@ -97,6 +99,8 @@ pub(super) struct CorrectionSums<'a> {
     hides: bool,
     dark: bool,
     error: f64,
+    /// Sum of the squared differences of two levels on cells on which these agree.
+    squares: f64,
     samples: u64,
     /// Cells that may still be halved.
     left: u64,
@@ -111,6 +115,7 @@ impl<'a> CorrectionSums<'a> {
             hides: false,
             dark: true,
             error: 0.0,
+            squares: 0.0,
             samples: 0,
             left: 0,
         }
@@ -121,11 +126,14 @@ impl<'a> CorrectionSums<'a> {
         self.hides |= other.hides;
         self.dark &= other.dark;
         self.error += other.error;
+        self.squares += other.squares;
         self.samples += other.samples;
     }
 
     pub(super) fn finish(self) -> Occlusion {
-        let Self { hides, dark, error, samples, moments, .. } = self;
+        let Self { correction, hides, dark, samples, moments, .. } = self;
+        let agreed = if correction.is_round { self.squares.sqrt() / AGREED_BY_LEVELS } else { 0.0 };
+        let error = self.error + agreed;
         Occlusion { values: moments.into_block(), hides, dark: dark && hides, error, samples }
     }
 
@@ -161,6 +169,9 @@ impl<'a> CorrectionSums<'a> {
             self.error += difference;
         }
         let may_miss = is_told && !is_last && self.may_miss(cell, &blockers);
+        if is_told && !may_miss {
+            self.squares += difference * difference;
+        }
         let entries = self.correction.outer.basis.len() * self.correction.inner.basis.len();
         let share = limit / (parts.len() as f64).sqrt();
         for (index, (part, sum)) in parts.iter().zip(sums).enumerate() {
@@ -257,10 +268,12 @@ impl<'a> CorrectionSums<'a> {
             return HiddenShare::Part;
         }
         let Correction { visibility, inner_shape, ball, ball_corners, .. } = self.correction;
-        let shadows = visibility.shadows(blockers, x.position, ball, *ball_corners);
-        let (any, everything) = match inner_shape {
-            InnerShape::Flat(facets) => self.hidden_of_facets(facets, x, &shadows, out),
-            InnerShape::OfSphere(zone) => (self.hidden_of_sphere(zone, x, &shadows, out), false),
+        let round = visibility.only_round(blockers).filter(|_| out.len() == 1);
+        let shadows = || visibility.shadows(blockers, x.position, ball, *ball_corners);
+        let (any, everything) = match (inner_shape, round) {
+            (InnerShape::Flat(facets), Some(round)) => self.hidden_by_round(facets, x, round, out),
+            (InnerShape::Flat(facets), None) => self.hidden_of_facets(facets, x, &shadows(), out),
+            (InnerShape::OfSphere(zone), _) => (self.hidden_of_sphere(zone, x, &shadows(), out), false),
         };
         self.dark &= everything;
         self.hides |= any;
@@ -280,6 +293,25 @@ impl<'a> CorrectionSums<'a> {
         let is_constant = zone.is_whole() && inner.basis.len() == 1;
         let seen = if is_constant { ball(x.position, x.normal, center, radius) } else { None };
         seen.map(|seen| constant * seen)
+    }
+
+    /// Whether anything is hidden by something round of a flat element that carries a constant, and whether all
+    /// is: through its outline.
+    fn hidden_by_round(&mut self, facets: &Facets, x: &Node, round: usize, out: &mut [f64]) -> (bool, bool) {
+        let Correction { visibility, constant, .. } = self.correction;
+        let Some(shadow) = visibility.round_shadow(round, x.position) else { return (false, false) };
+        let (mut any, mut everything) = (false, true);
+        for polygon in &facets.polygons {
+            let Some(polygon) = self.seen_from(x, polygon, facets.normal) else { continue };
+            let mut seen: Corners = polygon.iter().map(|corner| corner - x.position).collect();
+            cut_at_horizon(x.normal, &mut seen);
+            let found = hidden_by_round(x.normal, &seen, &shadow);
+            any |= found.coverage != Coverage::Clear;
+            everything &= found.coverage == Coverage::Hidden;
+            out[0] += constant * found.irradiance;
+            self.samples += seen.len() as u64;
+        }
+        (any, everything)
     }
 
     /// Whether anything is hidden, and whether all is that the point would see.
