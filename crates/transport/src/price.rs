@@ -65,7 +65,9 @@ pub(crate) fn of_blockers(are_flat: bool, blockers: &[usize], visibility: &Visib
     match blockers.len() {
         _ if !are_flat => CURVED,
         0 => FREE,
-        _ if visibility.has_outlines(blockers) => PARTLY_HIDDEN + blockers.iter().map(of_blocker).sum::<f64>(),
+        _ if visibility.has_outlines(blockers) => {
+            PARTLY_HIDDEN + blockers.iter().map(of_blocker).sum::<f64>()
+        }
         _ => CURVED,
     }
 }

@@ -1,4 +1,4 @@
-//! Frusta, the convex solids between two coaxial circles, and their shadows: a can, a cone, its stump or a disk.
+//! Frusta, the convex solids between two coaxial circles, and their outlines: cans, cones, their stumps, disks.
 //!
 //! From x outside, with r and z its distance from the axis and its height, the wall n_r ρ + n_z ζ = k is seen
 //! over the angles
@@ -95,7 +95,8 @@ impl Frustum {
         self.ends.iter().any(is_level)
     }
 
-    fn is_disk(&self) -> bool {
+    /// Whether it has no height.
+    pub fn is_disk(&self) -> bool {
         self.ends[0] == self.ends[1]
     }
 
@@ -142,7 +143,11 @@ impl Frustum {
         let [first, second, along] = self.axes;
         let is_tip = radius <= ROUNDING * self.size();
         let angles = if is_tip { [0.0; 2] } else { angles };
-        Rim { center: self.origin + height * along - eye, axes: [first, second].map(|axis| radius * axis), angles }
+        Rim {
+            center: self.origin + height * along - eye,
+            axes: [first, second].map(|axis| radius * axis),
+            angles,
+        }
     }
 
     /// Whether a line from `eye` on in a direction meets it.
@@ -202,8 +207,6 @@ impl Frustum {
     fn corner(&self, end: usize, place: usize) -> DVec3 {
         let (sin, cos) = (TAU * place as f64 / SIDES as f64).sin_cos();
         let DVec2 { x: radius, y: height } = self.ends[end];
-        self.origin
-            + height * self.axes[2]
-            + BEYOND_WALL * radius * (cos * self.axes[0] + sin * self.axes[1])
+        self.origin + height * self.axes[2] + BEYOND_WALL * radius * (cos * self.axes[0] + sin * self.axes[1])
     }
 }

@@ -58,7 +58,8 @@ impl RoundOutline {
         let mut outline = Corners::new();
         self.rims.iter().for_each(|rim| rim.add_corners(corners, &mut outline));
         let middle = eye + outline.iter().sum::<DVec3>() / outline.len() as f64;
-        let sides = (0..outline.len()).map(|k| [outline[k], outline[(k + 1) % outline.len()]].map(|a| eye + a));
+        let sides =
+            (0..outline.len()).map(|k| [outline[k], outline[(k + 1) % outline.len()]].map(|a| eye + a));
         (outline.len() > 2).then(|| ShadowVolume::bounded(eye, middle, sides, std::iter::empty()))
     }
 }

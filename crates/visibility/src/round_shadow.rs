@@ -15,7 +15,7 @@ pub struct RoundShadow<'a> {
     body: Body<'a>,
 }
 
-/// What throws a shadow.
+/// The thing that throws a shadow.
 #[derive(Debug)]
 enum Body<'a> {
     Ball(ShadowCone),

@@ -117,12 +117,6 @@ impl Visibility {
         shadows
     }
 
-    /// The only one of `blockers`, if it is a whole ball, or closes a can, a cone or a disk.
-    pub fn only_round(&self, blockers: &[usize]) -> Option<usize> {
-        let [only] = blockers else { return None };
-        (self.ball(*only).is_some() || self.frustum(*only).is_some()).then_some(*only)
-    }
-
     /// The shadow of a round surface from `x`; None where it hides nothing.
     pub fn round_shadow(&self, surface: usize, x: DVec3) -> Option<RoundShadow<'_>> {
         match self.ball(surface) {

@@ -21,7 +21,9 @@ use radiosity_test_support::solved::{blocks_of, elements_of, factors_of};
 enum Thing {
     Ball,
     /// A wall with a lid on top, and one below where it is closed.
-    Can { is_closed: bool },
+    Can {
+        is_closed: bool,
+    },
     /// A cone with its tip on top.
     Cone,
     /// A cone with its tip below, and a lid.
@@ -29,6 +31,8 @@ enum Thing {
     /// A cone without its tip, with a lid on top.
     Stump,
     Disk,
+    /// A wall without lids.
+    Tube,
 }
 
 const THINGS: [Thing; 7] = [
@@ -72,6 +76,7 @@ impl Thing {
                 all.extend(is_closed.then(|| lid(base, -along, radius)));
                 all
             }
+            Self::Tube => vec![Arc::new(tube(base, axis, radius))],
             Self::Cone => vec![cone(radius, 0.0)],
             Self::Funnel => vec![cone(0.0, radius), lid(top, along, radius)],
             Self::Stump => vec![cone(radius, 0.6 * radius), lid(top, along, 0.6 * radius)],
@@ -125,8 +130,11 @@ fn what_is_hidden_of_a_wide_ceiling_is_what_is_caught() {
         let found = factors_of(&scene([floor(), ceiling()], placed), Shadows::Auto, 1e-7, 1e-7);
         let caught: f64 = found.row(0)[2..].iter().sum();
         let off = (open - caught - found.factor(0, 1)).abs();
-        println!("{thing:?} {place:?}: {caught:.3e} is caught, off by {off:.1e}, told {:.1e}", found.errors[0]);
-        assert!(caught > 1e-2 && found.rays == 0, "{thing:?} {place:?}: {} rays", found.rays);
+        println!(
+            "{thing:?} {place:?}: {caught:.3e} is caught, off by {off:.1e}, told {:.1e}",
+            found.errors[0]
+        );
+        assert!(caught > 3e-3 && found.rays == 0, "{thing:?} {place:?}: {} rays", found.rays);
         assert!(off <= 1e-7, "{thing:?} {place:?}: off by {off:.1e}");
     }
 }
@@ -158,7 +166,9 @@ fn rooms_with_things_are_closed() {
             continue;
         }
         let scene = scene(room(), Some((thing, place)));
-        for (order, eps) in [(0, 1e-3), (0, 1e-5), (2, 1e-3)] {
+        // Polynomials past disks go by rays.
+        let orders = if thing == Thing::Disk { 2 } else { 3 };
+        for (order, eps) in [(0, 1e-3), (0, 1e-5), (2, 1e-3)].into_iter().take(orders) {
             let (open, rays) = openness(&scene, order, eps);
             println!("{thing:?}, order {order}, {eps:.0e}: {open:.1e}, {rays} rays");
             assert!(open < eps, "{thing:?} {place:?}, order {order}, {eps:.0e}: open by {open:.1e}");
@@ -182,17 +192,16 @@ fn what_stands_on_a_floor_darkens_its_place() {
     }
 }
 
-/// A column from the floor to the ceiling hides all of both from its own place, by a jump at its rim: by rays.
+/// Light passes through a tube that no lid closes: by rays.
 #[test]
-fn columns_leave_floor_and_ceiling_to_rays() {
-    let column = Place { base: DVec3::new(1.1, 1.3, 0.0), axis: ROOM[2] * DVec3::Z, radius: 0.3 };
-    let thing = Thing::Can { is_closed: false };
-    let found = factors_of(&scene(room(), Some((thing, column))), Shadows::Auto, 3e-3, 3e-3);
+fn open_tubes_leave_pairs_to_rays() {
+    let place = Place { base: DVec3::new(1.1, 1.3, 0.4), axis: 0.7 * DVec3::Z, radius: 0.3 };
+    let found = factors_of(&scene(room(), Some((Thing::Tube, place))), Shadows::Auto, 3e-3, 3e-3);
     assert!(found.pairs.by_rays > 0, "{:?}", found.pairs);
 }
 
-/// What shapes hide of one plate from another one over the area of the first: by points of the first, by lines on
-/// the second, and by the part of each line that segments do not reach.
+/// Exchange that shapes hide between two plates over the area of the first: by points of the first, by lines on the
+/// second, and by the part of each line that segments do not reach.
 fn hidden(from: &Parallelogram, to: &Parallelogram, shapes: &Shapes) -> f64 {
     const PANELS: usize = 12;
     let (points, lines) = (UnitRule::of(3), UnitRule::of(24));
@@ -268,7 +277,9 @@ fn walls_past_things_have_the_factors_of_a_quadrature() {
         assert_eq!(with.rays, 0, "{thing:?} {place:?}");
         let walls = room();
         for wall in [0, 3, 5] {
-            let right = without.factor(FLOOR, wall) - hidden(&walls[FLOOR], &walls[wall], &shapes);
+            // From the wall on, as what stands on the floor hides all from its own place.
+            let share = without.areas[wall] / without.areas[FLOOR];
+            let right = without.factor(FLOOR, wall) - share * hidden(&walls[wall], &walls[FLOOR], &shapes);
             let off = (with.factor(FLOOR, wall) - right).abs();
             println!("{thing:?} to {wall}: {right:.6}, off by {off:.1e}, told {:.1e}", with.errors[FLOOR]);
             assert!(off < 3e-5, "{thing:?} {place:?} to {wall}: off by {off:.1e}");

@@ -214,7 +214,8 @@ impl Ratio {
     fn integral(&self, angles @ [first, last]: [f64; 2]) -> f64 {
         if self.swing <= ROUNDING * self.near {
             let ([from, to], [start, end]) = ([first.sin(), last.sin()], [first.cos(), last.cos()]);
-            return (self.even * (last - first) + self.cosine * (to - from) - self.sine * (end - start)) / self.near;
+            return (self.even * (last - first) + self.cosine * (to - from) - self.sine * (end - start))
+                / self.near;
         }
         if self.swing <= NEARLY_EVEN * self.near {
             const RULE: Rule<POINTS> = Legendre::<POINTS>::RULE;

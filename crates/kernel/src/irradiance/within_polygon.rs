@@ -28,7 +28,7 @@ struct Run {
 
 type Runs = SmallVec<[Run; 8]>;
 
-/// What lies within both a polygon and an outline.
+/// The common part of a polygon and an outline.
 #[derive(Clone, Copy, Debug)]
 pub struct Within {
     /// Irradiance from it at exitance 1.
@@ -37,8 +37,8 @@ pub struct Within {
     pub coverage: Coverage,
 }
 
-/// The part of a convex `polygon` above the horizon of the unit normal `n` that a round thing hides, relative to the
-/// point.
+/// The part of a convex `polygon` above the horizon of the unit normal `n` that a round thing hides, relative
+/// to the point.
 pub fn hidden_by_round(n: DVec3, polygon: &[DVec3], shadow: &RoundShadow) -> Within {
     let mut beyond = Corners::from_slice(polygon);
     shadow.cut(&mut beyond);
@@ -131,7 +131,8 @@ impl Border<'_> {
     fn way(&self, run: &Run, next: &Run) -> f64 {
         let [from, to] = [run.piece.at(1.0), next.piece.at(0.0)];
         let (Some(first), Some(last)) = (run.cuts[1], next.cuts[0]) else { return between(self.n, from, to) };
-        let is_one = from.cross(to).length_squared() <= NO_ANGLE * from.length_squared() * to.length_squared();
+        let is_one =
+            from.cross(to).length_squared() <= NO_ANGLE * from.length_squared() * to.length_squared();
         if first == last || is_one {
             return between(self.n, from, to);
         }

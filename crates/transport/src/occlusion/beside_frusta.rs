@@ -22,6 +22,20 @@ pub(crate) fn outer_sides(pair: [&Element; 2], blockers: &[usize], visibility: &
     [0, 1].map(may_be_outer)
 }
 
+/// Whether shadows of `bodies` can be summed: all are frusta or balls, one a frustum at least, and no line from an
+/// element meets two of them.
+pub(crate) fn are_apart(outer: &Element, bodies: &[usize], visibility: &Visibility) -> bool {
+    let is_frustum = |body: &usize| visibility.frustum(*body).is_some();
+    let is_round = |body: &usize| is_frustum(body) || visibility.ball(*body).is_some();
+    // The nearer one of two would lie between the element and the other.
+    let comes_before = |near: usize, far: usize| {
+        near != far && !separated(&outer.hull, visibility.hull(far), visibility.hull(near), 0.0)
+    };
+    bodies.iter().all(is_round)
+        && bodies.iter().any(is_frustum)
+        && !bodies.iter().any(|near| bodies.iter().any(|far| comes_before(*near, *far)))
+}
+
 /// Whether all of a frustum lies on the front of a polygon.
 fn is_before(element: &Element, frustum: &Frustum) -> bool {
     element.plane.is_some_and(|plane| frustum.heights(&plane)[0] >= -COINCIDENT * frustum.size())

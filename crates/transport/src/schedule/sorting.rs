@@ -202,7 +202,8 @@ impl Schedule<'_> {
         let mut blockers = self.visibility.candidates(&receiver.hull, &emitter.hull, surfaces);
         // The wall of a can lies behind its lid.
         let visibility = self.visibility;
-        blockers.retain(|own| visibility.frustum(*own).is_none() || !visibility.hides_nothing(*own, surfaces));
+        blockers
+            .retain(|own| visibility.frustum(*own).is_none() || !visibility.hides_nothing(*own, surfaces));
         let is_hidden = || {
             self.visibility.hidden(&blockers, &receiver.hull, &emitter.hull)
                 || self.are_parted([receiver, emitter], &blockers)

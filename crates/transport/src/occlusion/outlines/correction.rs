@@ -8,6 +8,7 @@ use radiosity_kernel::rules::zone::Zone;
 use radiosity_visibility::Visibility;
 use radiosity_visibility::bounding_ball::Ball;
 
+use crate::occlusion::beside_frusta::are_apart;
 use crate::occlusion::outlines::edges::Edges;
 use crate::tolerances::LOOSEST_OF_OUTLINES;
 
@@ -61,6 +62,9 @@ pub(super) struct Correction<'a> {
     pub(super) limit: Limit,
     /// Whether kinks between flat elements are curved, as those past round things: no cut follows them.
     pub(super) is_round: bool,
+    /// Whether all blockers are round, one is no ball, and from no point one hides a part of another: kites of
+    /// balls are as fast.
+    pub(super) are_apart: bool,
 }
 
 impl<'a> Correction<'a> {
@@ -106,8 +110,8 @@ impl<'a> Correction<'a> {
             ball_corners: ball_corners(accuracy) * more_corners,
             accuracy,
             limit,
-            is_round: pair.iter().all(|element| element.plane.is_some())
-                && !visibility.are_planar(blockers),
+            are_apart: are_apart(outer, blockers, visibility),
+            is_round: pair.iter().all(|element| element.plane.is_some()) && !visibility.are_planar(blockers),
         }
     }
 }

@@ -8,14 +8,15 @@ use radiosity_elements::rule::UnitRule;
 use radiosity_geom::{Aabb, DVec2, DVec3, clip_polygon, polygon_area};
 use radiosity_kernel::contact::gap::point_to_polygon;
 use radiosity_kernel::irradiance::ball::ball;
-use radiosity_kernel::irradiance::within_polygon::hidden_by_round;
 use radiosity_kernel::irradiance::visible_polygon::{inside_any, irradiance, irradiance_seen};
+use radiosity_kernel::irradiance::within_polygon::hidden_by_round;
 use radiosity_kernel::moments::{Moments, Side};
 use radiosity_kernel::rules::far;
 use radiosity_kernel::rules::far::SMALLEST_RATIO;
 use radiosity_kernel::rules::zone::Zone;
 use radiosity_visibility::blocker_shadow::BlockerShadow;
 use radiosity_visibility::bounding_ball::Ball;
+use radiosity_visibility::round_shadow::RoundShadow;
 use radiosity_visibility::shadow_volume::{Corners, Coverage, cut_at_horizon};
 use radiosity_work::interruption::check_interrupt;
 
@@ -267,13 +268,14 @@ impl<'a> CorrectionSums<'a> {
             self.samples += 1;
             return HiddenShare::Part;
         }
-        let Correction { visibility, inner_shape, ball, ball_corners, .. } = self.correction;
-        let round = visibility.only_round(blockers).filter(|_| out.len() == 1);
+        let Correction { visibility, inner_shape, ball, ball_corners, are_apart, .. } = self.correction;
         let shadows = || visibility.shadows(blockers, x.position, ball, *ball_corners);
-        let (any, everything) = match (inner_shape, round) {
-            (InnerShape::Flat(facets), Some(round)) => self.hidden_by_round(facets, x, round, out),
-            (InnerShape::Flat(facets), None) => self.hidden_of_facets(facets, x, &shadows(), out),
-            (InnerShape::OfSphere(zone), _) => (self.hidden_of_sphere(zone, x, &shadows(), out), false),
+        let (any, everything) = match inner_shape {
+            InnerShape::Flat(facets) if *are_apart && out.len() == 1 => {
+                self.hidden_by_round(facets, x, blockers, out)
+            }
+            InnerShape::Flat(facets) => self.hidden_of_facets(facets, x, &shadows(), out),
+            InnerShape::OfSphere(zone) => (self.hidden_of_sphere(zone, x, &shadows(), out), false),
         };
         self.dark &= everything;
         self.hides |= any;
@@ -295,21 +297,32 @@ impl<'a> CorrectionSums<'a> {
         seen.map(|seen| constant * seen)
     }
 
-    /// Whether anything is hidden by something round of a flat element that carries a constant, and whether all
-    /// is: through its outline.
-    fn hidden_by_round(&mut self, facets: &Facets, x: &Node, round: usize, out: &mut [f64]) -> (bool, bool) {
+    /// Whether anything is hidden by round things apart of a flat element that carries a constant, and whether
+    /// all is: through their outlines.
+    fn hidden_by_round(
+        &mut self,
+        facets: &Facets,
+        x: &Node,
+        blockers: &[usize],
+        out: &mut [f64],
+    ) -> (bool, bool) {
         let Correction { visibility, constant, .. } = self.correction;
-        let Some(shadow) = visibility.round_shadow(round, x.position) else { return (false, false) };
+        let shadow = |body: &usize| visibility.round_shadow(*body, x.position);
+        let shadows: Vec<RoundShadow> = blockers.iter().filter_map(shadow).collect();
         let (mut any, mut everything) = (false, true);
         for polygon in &facets.polygons {
             let Some(polygon) = self.seen_from(x, polygon, facets.normal) else { continue };
             let mut seen: Corners = polygon.iter().map(|corner| corner - x.position).collect();
             cut_at_horizon(x.normal, &mut seen);
-            let found = hidden_by_round(x.normal, &seen, &shadow);
-            any |= found.coverage != Coverage::Clear;
-            everything &= found.coverage == Coverage::Hidden;
-            out[0] += constant * found.irradiance;
-            self.samples += seen.len() as u64;
+            let mut all = false;
+            for shadow in &shadows {
+                let found = hidden_by_round(x.normal, &seen, shadow);
+                any |= found.coverage != Coverage::Clear;
+                all |= found.coverage == Coverage::Hidden;
+                out[0] += constant * found.irradiance;
+                self.samples += seen.len() as u64;
+            }
+            everything &= all;
         }
         (any, everything)
     }

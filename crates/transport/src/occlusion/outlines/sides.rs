@@ -97,7 +97,8 @@ fn facing(pair: [&Element; 2]) -> [Vec<Facet>; 2] {
 /// The side that is better as the outer one.
 fn outer_side(polygons: &[Vec<&[DVec3]>; 2], blockers: &[usize], visibility: &Visibility) -> Side {
     let pieces = || blockers.iter().filter_map(|blocker| visibility.pieces(*blocker)).flatten();
-    let frusta = || blockers.iter().filter_map(|blocker| visibility.frustum(*blocker)).flat_map(Frustum::faces);
+    let frusta =
+        || blockers.iter().filter_map(|blocker| visibility.frustum(*blocker)).flat_map(Frustum::faces);
     let balls = || blockers.iter().filter_map(|blocker| visibility.ball(*blocker));
     let [receiver, emitter] = polygons.each_ref().map(|side| {
         let to_pieces =
