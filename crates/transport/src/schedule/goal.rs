@@ -175,7 +175,8 @@ impl Schedule<'_> {
     }
 
     /// Whether kites are fine enough for the arcs of frusta, or none are needed, as of constants past a frustum
-    /// alone, or apart from all else. What disks seen edge on hide of polynomials is missed by their cells.
+    /// alone, or apart from all else. Polynomials past disks are left to rays: a room with one was open by twice
+    /// the accuracy asked at order 2, of shadows or of the disk's own blocks.
     fn are_told_apart(&self, pair: [&Element; 2], blockers: &[usize]) -> bool {
         let visibility = self.visibility;
         let bodies = visibility.one_of_each_body(blockers);
