@@ -53,10 +53,6 @@ pub(crate) const SHARE_OF_CLIMB: f64 = 0.5;
 /// directions and of several edges add their errors.
 pub(crate) const SHARE_OF_NEAR: f64 = 0.2;
 
-/// Error of the finer of two rules of n and 3n/5 points, relative to their difference, at a kink of second
-/// order: r/(1 − r) = 0.28 with r = (3/5)³.
-pub(crate) const ERROR_OF_FINER_RULE: f64 = 0.3;
-
 /// Error of the halves of a cell, relative to their difference from the whole, at a kink of second order:
 /// 2⁻³, doubled for the position of the kink.
 pub(crate) const ERROR_OF_HALVES: f64 = 0.25;
