@@ -25,8 +25,9 @@ use radiosity_elements::rule::UnitRule;
 
 use crate::rules::horizon::cell::DIRECTIONS;
 
-/// Distance of places from the side, over that of the outermost points.
-const INSIDE: f64 = 1e-3;
+/// Distance of places from the side, over that of the outermost points: below the least gap at which surfaces
+/// count as apart, over which W falls at the common border of two of them.
+const INSIDE: f64 = 1e-6;
 
 /// Part of the weight of a row that lies beyond its points.
 const BEYOND: f64 = 0.5;
