@@ -165,8 +165,9 @@ impl Schedule<'_> {
             let asked = asked(block.partly_hidden, self.accuracy);
             blocks.statistics.record_error(WorstError { pair, error: *error, asked, by_rays: false });
             let unit = (self.list[row].area * self.list[column].area).sqrt();
-            let quadrature = if is_exact(&block) { 0.0 } else { integrated.report(place).largest * asked };
-            blocks.statistics.take_exchange(pair, self.list.len(), unit * block.error, unit * quadrature);
+            let untold = if is_exact(&block) { 0.0 } else { integrated.report(place).largest - block.told };
+            let exchange = unit * asked * untold.max(0.0);
+            blocks.statistics.take_exchange(pair, self.list.len(), unit * block.error, exchange);
             self.push(blocks, planned, integrated);
         }
         left

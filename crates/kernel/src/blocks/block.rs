@@ -63,6 +63,8 @@ pub struct BlockReport {
     pub untried: bool,
     /// Estimate of the largest absolute error of a value from unresolved parts.
     pub error: f64,
+    /// First entry of the parts whose rules tell their errors.
+    pub told: f64,
     /// Terms of the rules, or logarithms of contour integrals.
     pub samples: u64,
     /// Kernel evaluations, or logarithms.
@@ -89,6 +91,7 @@ impl Block {
             unresolved: false,
             untried: false,
             error: 0.0,
+            told: 0.0,
             samples,
             distinct: samples,
             rays: 0,

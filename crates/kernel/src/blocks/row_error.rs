@@ -5,7 +5,7 @@
 pub struct RowError {
     /// Sum of the squares of errors of exchanges that rules or rays know (length⁴).
     pub squares: f64,
-    /// Sum of the exchanges of blocks by quadrature, each times the accuracy asked of it (length²).
+    /// Sum of what rules exchange that tell no errors, each times the accuracy asked of it (length²).
     pub asked: f64,
 }
 

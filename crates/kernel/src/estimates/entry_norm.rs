@@ -35,6 +35,11 @@ impl EntryNorm {
         self.first * moments[0]
     }
 
+    /// The norm of moments.
+    pub fn largest(&self, a: &[f64]) -> f64 {
+        self.difference(a, &vec![0.0; a.len()])
+    }
+
     /// The norm of the difference of two sets of moments.
     pub fn difference(&self, a: &[f64], b: &[f64]) -> f64 {
         let [rows, columns] = &self.factors;

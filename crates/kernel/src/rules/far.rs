@@ -28,6 +28,17 @@ pub fn points(degree: usize, eps: f64, rho: f64) -> usize {
     count.ceil().max(1.0) as usize
 }
 
+/// Sum of half axes ϱ of the ellipse in which the kernel is analytic, for a gap over an extent.
+pub fn rho(ratio: f64) -> f64 {
+    2.0 * ratio + (4.0 * ratio * ratio + 1.0).sqrt()
+}
+
+/// Largest ratio ϱ⁻² of the errors of two rules of which the second has a point more, over all directions.
+pub fn ratio(p: &Patch, q: &Patch, gap: f64) -> f64 {
+    let longest = p.longest().1.max(q.longest().1);
+    rho(gap / longest).powi(-2)
+}
+
 /// Points that integrate degree N_i + N_j + 1 exactly: the product of both sides' polynomials and a linear
 /// area element.
 pub fn exact(degrees: [usize; 2]) -> usize {
@@ -41,10 +52,7 @@ pub fn counts(p: &Patch, q: &Patch, degrees: [usize; 2], gap: f64, eps: f64) -> 
     let count = |patch: &Patch, degree: usize| {
         let degree = degree + usize::from(!patch.is_parallelogram());
         let eps = if patch.is_rectangle() { eps } else { SHARE_OF_ASKEW * eps };
-        patch.extents().map(|extent| {
-            let ratio = gap / extent;
-            points(degree, eps, 2.0 * ratio + (4.0 * ratio * ratio + 1.0).sqrt())
-        })
+        patch.extents().map(|extent| points(degree, eps, rho(gap / extent)))
     };
     let ([a, b], [c, d]) = (count(p, degrees[0]), count(q, degrees[1]));
     [a, b, c, d]

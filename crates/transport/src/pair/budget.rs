@@ -55,6 +55,11 @@ impl Budget {
         area(p).min(area(q)) / self.unit
     }
 
+    /// Part of all pairs of points that two parts hold.
+    pub(super) fn part(&self, p: &Patch, q: &Patch) -> f64 {
+        area(p) * area(q) / (self.unit * self.unit)
+    }
+
     /// Whether parts of this `share` are left out.
     pub(super) fn neglects(&self, share: f64) -> bool {
         share < NEGLIGIBLE * self.may_err()

@@ -17,8 +17,8 @@
 //! * a constant kernel (two parts of the inside of one sphere) → κ ∫ φ_k dA ∫ φ_l dA, exact;
 //! * all of an element on a sphere at once, where its sectors are apart by a tenth of their extents, and by
 //!   H/4 of the other part → [`radiosity_kernel::rules::horizon`];
-//! * apart, g ≥ H/4 → a tensor rule, or [`radiosity_kernel::rules::horizon`] where a horizon may cut the
-//!   pair;
+//! * apart, g ≥ H/4 → tensor rules until two agree (`apart`), or [`radiosity_kernel::rules::horizon`] where a
+//!   horizon may cut the pair;
 //! * near or touching, without a common edge or corner, where a closed form tells what each point of one
 //!   element sees of the other → that over all parts at once ([`closed_form`]);
 //! * touching → cut or halved until a rule covers the contact ([`radiosity_kernel::contact::patches`]), then
@@ -61,10 +61,12 @@
 //! Error. `BlockReport::error` adds up, in entries of the block: s of pairs left out, or the coarse G_00 of a
 //! block left out; the differences of attempts, twice those of near parts, and at least 0.1 of what an
 //! attempt carries that missed its accuracy; three times what trials of contact rules missed;
-//! [`Cut::error`](radiosity_kernel::rules::horizon::Cut::error) of horizons, each allowed 0.3 ε S; the error
-//! of sampled visibility; 0.1 of what is summed roughly in the end. Rules whose numbers of points follow from
-//! the accuracy add nothing. The block is `unresolved` where an attempt or a trial missed its accuracy, a
-//! horizon errs by more than ε S, or anything was left.
+//! [`Cut::error`](radiosity_kernel::rules::horizon::Cut::error) of horizons, allowed ε S together, and 0.3 ε
+//! S each; the error of sampled visibility; 0.1 of what is summed roughly in the end; of tensor rules on
+//! parts apart the difference of two, as far as it is left (`apart`). Other rules whose numbers of points
+//! follow from the accuracy add nothing; `BlockReport::told` is what all others carry. The block is
+//! `unresolved` where an attempt or a trial missed its accuracy, a horizon errs by more than ε S, or anything
+//! was left.
 //!
 //! References: S. A. Sauter, C. Schwab, *Boundary Element Methods*, Springer 2011, chapter 5 (contacts); L.
 //! N. Trefethen, *Approximation Theory and Approximation Practice*, SIAM 2013, chapter 19 (numbers of
@@ -73,6 +75,7 @@
 mod plane_clip;
 mod points;
 mod attempt;
+mod apart;
 mod closed_form;
 mod constant;
 mod fan;
@@ -193,6 +196,7 @@ pub(crate) fn self_block(
     add_transpose(&mut block.values, element.basis.len());
     // The error stands in both halves.
     block.report.error *= 2.0;
+    block.report.told *= 2.0;
     block
 }
 

@@ -86,6 +86,8 @@ pub(super) struct Job<'a> {
     pub partly_hidden: bool,
     pub unresolved: bool,
     pub error: f64,
+    /// First entry of what rules carry that tell their errors.
+    pub told: f64,
 }
 
 impl<'a> Job<'a> {
@@ -119,6 +121,7 @@ impl<'a> Job<'a> {
             partly_hidden: false,
             unresolved: false,
             error: 0.0,
+            told: 0.0,
         }
     }
 
@@ -144,6 +147,7 @@ impl<'a> Job<'a> {
     pub(super) fn finish(self) -> Block {
         let mut block = Block::of(self.moments, self.kind, self.partly_hidden);
         (block.report.unresolved, block.report.error) = (self.unresolved, self.error);
+        block.report.told = if self.partly_hidden { 0.0 } else { self.told };
         block
     }
 

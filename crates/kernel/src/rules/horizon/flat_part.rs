@@ -125,9 +125,8 @@ impl<'a> FlatPart<'a> {
 
     /// The rule for a direction of so much gap over its extent.
     fn rule(&self, ratio: f64) -> &'static UnitRule {
-        let rho = 2.0 * ratio + (4.0 * ratio * ratio + 1.0).sqrt();
         let degree = self.basis.total_degree() + 1;
-        UnitRule::of(far::points(degree, self.eps, rho).min(MOST_POINTS))
+        UnitRule::of(far::points(degree, self.eps, far::rho(ratio)).min(MOST_POINTS))
     }
 }
 

@@ -359,8 +359,7 @@ impl<'a> CorrectionSums<'a> {
         let degree = basis.total_degree() + usize::from(!patch.is_parallelogram());
         let rule = |extent: f64| {
             let ratio = (gap / extent).max(SMALLEST_RATIO);
-            let rho = 2.0 * ratio + (4.0 * ratio * ratio + 1.0).sqrt();
-            UnitRule::of(far::points(degree, self.correction.accuracy, rho))
+            UnitRule::of(far::points(degree, self.correction.accuracy, far::rho(ratio)))
         };
         let (first, second) = (rule(along), rule(across));
         let area = [(b - a).cross(d - a), (b - a).cross(c - b), (c - d).cross(d - a)].map(|n| n.length());

@@ -18,9 +18,11 @@ use radiosity_work::interruption::check_interrupt;
 use crate::pair::curved::constant::constant;
 use crate::pair::curved::points::quartered;
 use crate::pair::job::{InnerZone, Job, State, Task};
+use crate::pair::size::area;
 
-/// Share of the block's error for the horizons of one outer part: three spend all of it. With a larger value
-/// blocks of many outer parts may miss their accuracy, with a smaller one each takes more samples.
+/// Largest share of the block's error for the horizons of one outer part, which is else its share of the
+/// area: with a larger value blocks of many outer parts may miss their accuracy, with a smaller one each
+/// takes more samples.
 const HORIZON_SHARE: f64 = 0.3;
 
 /// Largest share, relative to the block's scale, of parts that are attempted before they are halved or cut at
@@ -87,7 +89,7 @@ impl Job<'_> {
         }
         let InnerParts { mut near, mut clipped, whole, .. } = parts;
         if near.is_empty() && clipped.is_empty() {
-            return whole.iter().for_each(|seen| self.apart(outer, seen));
+            return whole.iter().for_each(|seen| self.apart(outer, &seen.part, seen.gap));
         }
         clipped.extend(whole);
         if near.is_empty() {
@@ -134,12 +136,18 @@ impl Job<'_> {
             points = std::array::from_fn(|k| points[k].max(counts[k]));
         }
         let [s, t, along, across] = points;
+        let may_err = self.horizons_may_err(outer);
         let outer = Side { patch: outer, basis: &self.elements[0].basis, points: [s, t], ball: None };
         let inner = Inner::Zone(zone, [along, across]);
-        let may_err = HORIZON_SHARE * self.budget.may_err();
         let budget = self.budget.left_for_horizons();
         let cut = horizon::integrate(&outer, &self.elements[1].basis, &inner, &self.norm, may_err, budget);
         self.take(cut);
+    }
+
+    /// Error allowed of the horizons of an outer part.
+    fn horizons_may_err(&self, outer: &Patch) -> f64 {
+        let share = area(outer) / self.elements[0].area;
+        share.min(HORIZON_SHARE) * self.budget.may_err()
     }
 
     /// Adds moments that were cut at horizons.
@@ -199,13 +207,6 @@ impl Job<'_> {
         self.ball.map(|ball| ball.surface).filter(between).into_iter().collect()
     }
 
-    /// An inner part that the outer part sees wholly, by a tensor rule.
-    fn apart(&mut self, outer: &Patch, inner: &InnerPart) {
-        let InnerPart { part, gap } = inner;
-        let points = self.points(outer, part).apart(outer, part, *gap);
-        self.moments.tensor(outer, part, points, None);
-    }
-
     /// Inner parts apart from an outer part, cut at their horizons together: where a horizon passes from one
     /// to the next, their sum stays smooth.
     pub(super) fn horizon(&mut self, outer: &Patch, inner: &[InnerPart]) {
@@ -231,12 +232,12 @@ impl Job<'_> {
             return;
         }
         let ball = self.ball.map(|between| between.ball);
+        let may_err = self.horizons_may_err(outer);
         let outer = Side { patch: outer, basis: &self.elements[0].basis, points, ball };
-        let may_err = self.budget.may_err();
         let budget = self.budget.left_for_horizons();
         let basis = &self.elements[1].basis;
         let inner = Inner::Patches(&sides);
-        let cut = horizon::integrate(&outer, basis, &inner, &self.norm, HORIZON_SHARE * may_err, budget);
+        let cut = horizon::integrate(&outer, basis, &inner, &self.norm, may_err, budget);
         self.take(cut);
     }
 }

@@ -141,8 +141,14 @@ impl Job<'_> {
                 self.by_rule(missed, |moments| common_vertex::integrate(moments, a, b, points, sees));
             }
             Contact::Apart(gap) if !parts.is_near => {
-                let points = self.points(p, q).apart(p, q, *gap);
-                self.moments.tensor(p, q, points, sees);
+                match sees {
+                    None => self.apart(p, q, *gap),
+                    // Rays make steps that no number of points resolves.
+                    Some(_) => {
+                        let points = self.points(p, q).apart(p, q, *gap);
+                        self.moments.tensor(p, q, points, sees);
+                    }
+                }
             }
             _ => {
                 let is_apart = contact.gap() > 0.0;

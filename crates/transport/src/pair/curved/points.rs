@@ -93,9 +93,8 @@ pub(super) fn quartered(patch: &Patch, degree: usize, gap: f64, eps: f64) -> Arc
     let extents = patch.extents();
     let count = |axis: usize, depth: usize| {
         let ratio = gap / extents[axis] * f64::from(1 << depth);
-        let rho = 2.0 * ratio + (4.0 * ratio * ratio + 1.0).sqrt();
         let chart = (charts[axis] as f64 * 0.75f64.powi(depth as i32)).ceil() as usize;
-        (far::points(degree, eps, rho) + chart).min(MOST_POINTS)
+        (far::points(degree, eps, far::rho(ratio)) + chart).min(MOST_POINTS)
     };
     // A horizon tangent to a quarter's lines cuts off less of each smaller quarter: one level per two digits,
     // and one.
