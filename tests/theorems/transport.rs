@@ -3,6 +3,7 @@
 #![expect(clippy::print_stdout, reason = "errors and costs are measured here, and shown with --nocapture")]
 
 mod among_others;
+mod apart;
 mod balls;
 mod contour;
 mod coaxial;

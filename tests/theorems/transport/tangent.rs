@@ -305,15 +305,9 @@ fn disks_on_their_rims_send_all_to_the_room() {
         disk(DVec3::new(0.1, -0.2, radius * sin - 1.0), DVec3::new(sin, 0.0, -cos), radius)
     };
     let level = disk(DVec3::new(radius - 1.0, radius - 1.0, 0.3), DVec3::Z, radius);
-    // At 150° the pair with the ceiling, which lies apart from the disk, errs by twice what is asked at 1e-3.
-    let all: [(&str, _, &[f64]); 3] = [
-        ("60°", standing(60.0), &[1e-3, 1e-6]),
-        ("150°", standing(150.0), &[1e-6]),
-        ("level", level, &[1e-3, 1e-6]),
-    ];
-    for (name, disk, accuracies) in all {
+    for (name, disk) in [("60°", standing(60.0)), ("150°", standing(150.0)), ("level", level)] {
         let scene = scene(room().chain([Arc::new(disk) as Shape]));
-        for &eps in accuracies {
+        for eps in [1e-3, 1e-4, 1e-6] {
             let [off, told] = of_last(&scene, 0, eps);
             println!("{name} {eps:.0e}: {off:.1e} {told:.1e}");
             assert!(off <= eps && off <= 4.0 * told, "{name} {eps:.0e}: {off:.1e} {told:.1e}");

@@ -20,18 +20,18 @@ use radiosity_test_support::shapes::tube;
 /// A disk, or a ring.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Ring {
-    center: DVec3,
-    normal: DVec3,
-    radius: f64,
-    inner: f64,
+    pub center: DVec3,
+    pub normal: DVec3,
+    pub radius: f64,
+    pub inner: f64,
 }
 
 /// A cylinder, or a cone: radii at the base and at the top.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Tube {
-    base: DVec3,
-    axis: DVec3,
-    radii: [f64; 2],
+    pub base: DVec3,
+    pub axis: DVec3,
+    pub radii: [f64; 2],
 }
 
 /// Panels of the rule for a disk and, finer, to judge it by; points of each.
@@ -129,13 +129,13 @@ impl Tube {
 }
 
 /// The front of a polygon.
-fn normal(polygon: &[DVec3]) -> DVec3 {
+pub(crate) fn normal(polygon: &[DVec3]) -> DVec3 {
     let sides = polygon.windows(2).map(|side| (side[0] - polygon[0]).cross(side[1] - polygon[0]));
     sides.sum::<DVec3>().normalize()
 }
 
 /// E from a polygon whose front the point is before, and which lies above its horizon.
-fn irradiance(x: DVec3, n: DVec3, polygon: &[DVec3]) -> f64 {
+pub(crate) fn irradiance(x: DVec3, n: DVec3, polygon: &[DVec3]) -> f64 {
     let side = |k: usize| {
         let (a, b) = (polygon[k] - x, polygon[(k + 1) % polygon.len()] - x);
         let cross = a.cross(b);
