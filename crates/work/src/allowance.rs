@@ -49,12 +49,10 @@ mod tests {
     #[test]
     fn more_threads_have_time_for_more() {
         let ends = Instant::now() + Duration::from_secs(1000);
-        let suffices = |threads, seconds| {
-            let forecast = Machine::of(1).forecast(seconds);
-            Allowance::until(ends, threads).suffices(forecast)
+        let suffices = |threads, forecast| {
+            Allowance { ends, machine: Machine { threads, slowness: 1.0 } }.suffices(forecast)
         };
-        assert!(suffices(1, 950.0) && !suffices(1, 1050.0));
-        assert!(suffices(2, 950.0));
+        assert!(suffices(1, 450.0) && !suffices(1, 550.0) && suffices(2, 950.0) && suffices(4, 1950.0));
         let past = Allowance::until(Instant::now(), 2);
         assert!(past.suffices(0.0) && !past.suffices(1e-6));
     }

@@ -13,10 +13,10 @@
 //! the one before.
 
 use std::hint::black_box;
-use std::num::NonZero;
 use std::sync::OnceLock;
-use std::thread;
 use std::time::{Duration, Instant};
+
+use crate::ranks::machine_share::available;
 
 /// Threads that forecasts are of, whatever the number that works. Chosen.
 pub const FORECAST_THREADS: f64 = 2.0;
@@ -34,8 +34,8 @@ const BOXES: usize = 1 << 12;
 /// Threads of this machine, beside those of forecasts.
 #[derive(Clone, Copy, Debug)]
 pub struct Machine {
-    threads: usize,
-    slowness: f64,
+    pub(crate) threads: usize,
+    pub(crate) slowness: f64,
 }
 
 impl Machine {
@@ -43,8 +43,7 @@ impl Machine {
     /// is measured at the first call, which takes a millisecond.
     pub fn of(threads: usize) -> Self {
         static SLOWNESS: OnceLock<f64> = OnceLock::new();
-        let processors = thread::available_parallelism().map_or(threads, NonZero::get);
-        Self { threads: threads.clamp(1, processors.max(1)), slowness: *SLOWNESS.get_or_init(slowness) }
+        Self { threads: threads.clamp(1, available()), slowness: *SLOWNESS.get_or_init(slowness) }
     }
 
     /// Seconds by the clock in which these threads do what a forecast tells.

@@ -41,7 +41,7 @@ impl MachineShare {
 }
 
 /// Processors that this process may use.
-fn available() -> usize {
+pub(crate) fn available() -> usize {
     thread::available_parallelism().map_or(1, NonZero::get)
 }
 
