@@ -1,9 +1,10 @@
 """Seconds that runs tell before they begin beside those that they take, stage by stage. See README.md.
 
-    python forecasts.py SHARED -o forecasts.csv [--command radiosity] [--only solve,heat]
+    python forecasts.py SHARED -o forecasts.csv [--command radiosity] [--only solve,heat] [--pictures OFFICE.json]
     python forecasts.py table forecasts.csv
 
-SHARED is the folder with `scenes/mgf` and `cases/rooms`. Each run has one thread. What a machine does besides
+SHARED is the folder with `scenes/mgf` and `cases/rooms`; with --pictures the runs are twenty pictures, films and other
+outputs that show light, among them those of the office of `studies/mitsuba/office.py`. Each run has one thread. What a machine does besides
 lengthens the stages, not the CPU time of a run: stages are scaled by the CPU time of the run over its wall time.
 """
 
@@ -48,6 +49,32 @@ def runs(shared):
     yield ["heat", shared / "cases" / "heat" / "groove30.toml"]
     for scene in ["sliding-light", "blue-panel"]:
         yield ["animate", scene, "--frames", "0..3", *small, "-o", "frame-####.png"]
+
+
+def pictures(shared, office):
+    """Verbs with their arguments: pictures of growing size, films, tables and files of the light that they show."""
+    examples = pathlib.Path(__file__).resolve().parents[2] / "examples"
+    seen = {
+        office: ["--eye", "0.6,0.6,1.7", "--target", "9,6,1.0", "--fov", "60"],
+        shared / "scenes" / "mgf" / "soda.json": ["--eye", "-1.7,2.3,2.3", "--target", "2.7,.2,.3", "--view-up", "0,1,0", "--fov", "70"],
+        shared / "scenes" / "mgf" / "classroom.json": ["--eye", "6.4,1,1.7", "--target", "2,9,1", "--fov", "70"],
+    }
+    office, soda, classroom = seen
+    sizes = [
+        ("cornell-box", "128x128"), ("cornell-box", "512x512"), ("cornell-box", "1024x1024"), (office, "160x120"), (office, "640x480"),
+        ("teapot", "128x128"), ("teapot", "512x512"), ("temple", "512x384"), ("billiard", "640x360"),
+        (examples / "textured-room.toml", "640x480"), (soda, "640x480"), (classroom, "640x480"),
+    ]
+    for scene, size in sizes:
+        yield ["render", scene, *seen.get(scene, []), "--size", size, "-o", "x.png"]
+    yield ["animate", "billiard", "--frames", "0..9", "--size", "640x360", "-o", "frame-####.png"]
+    yield ["animate", "billiard-slide", "--frames", "0..9", "--size", "320x180", "-o", "frame-####.png"]
+    yield ["animate", "sliding-light", "--frames", "0..9", "--size", "320x240", "-o", "frame-####.png"]
+    yield ["render", "cornell-box", "-o", "x.glb"]
+    yield ["render", "teapot", "-o", "x.html"]
+    yield ["grid", office, "-o", "x.csv"]
+    yield ["grid", soda, "-o", "x.csv"]
+    yield ["report", office, "-o", "x.html"]
 
 
 def run(command, arguments):
@@ -106,12 +133,14 @@ def main():
     parser.add_argument("-o", "--output", required=True)
     parser.add_argument("--command", default="radiosity")
     parser.add_argument("--only", help="verbs, separated by commas")
+    parser.add_argument("--pictures", type=pathlib.Path, metavar="OFFICE", help="the twenty pictures and films instead")
     args = parser.parse_args()
     only = args.only.split(",") if args.only else None
     with open(args.output, "w", newline="") as output:
         writer = csv.DictWriter(output, COLUMNS)
         writer.writeheader()
-        for arguments in runs(args.shared.resolve()):
+        shared = args.shared.resolve()
+        for arguments in pictures(shared, args.pictures.resolve()) if args.pictures else runs(shared):
             if only is None or arguments[0] in only:
                 writer.writerow(run(args.command, arguments))
                 output.flush()

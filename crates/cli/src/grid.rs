@@ -88,7 +88,7 @@ pub(crate) fn run(args: &GridArgs, loaded: Loaded, ranks: &Ranks) -> Result<(), 
         PrintedReading::of_cell(cell, counts.of(cell.surface), scene, &own)
     };
     let checked = run.check(cells.len(), printed, run.seconds_to_read(&reading, cells.len()))?;
-    let estimates = cells.iter().map(|cell| own.of_reading(&cell.irradiance, cell.deviation));
+    let estimates = cells.iter().map(|cell| own.of_reading(&cell.irradiance, cell.deviation, cell.doubt));
     let errors = CheckedReadings::all_told(checked.as_ref(), estimates);
     data.write(&scene.bands, "cells", &table(scene, &cells, &errors))?;
     run.add_checked(checked.map(|own| own.checked), reading.read);

@@ -147,7 +147,8 @@ pub(crate) fn run(
     };
     let seconds = run.seconds_to_read(&reading, readings.len());
     let checked = run.check(readings.len(), printed, seconds)?;
-    let estimates = readings.iter().map(|reading| own.of_reading(&reading.irradiance, reading.deviation));
+    let estimates =
+        readings.iter().map(|reading| own.of_reading(&reading.irradiance, reading.deviation, reading.doubt));
     let errors = CheckedReadings::all_told(checked.as_ref(), estimates);
     data.write(&scene.bands, "points", &table(scene, &sensors, &readings, &errors))?;
     let mut written: Vec<&str> = data.written().into_iter().collect();

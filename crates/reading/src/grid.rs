@@ -50,6 +50,8 @@ pub struct Cell {
     pub absorbed: Vec<f64>,
     /// Standard deviation of the irradiance, where rays gathered it.
     pub deviation: Option<Deviation>,
+    /// About the error that polynomials leave (W m⁻²), root mean square over the bands.
+    pub doubt: f64,
     /// Area of the cell within the outer outline (scene length²).
     pub area: f64,
     /// Area of its elements: without holes, and without footprints that are cut out of them (scene length²).
@@ -163,6 +165,8 @@ struct Deviations {
     absolute: f64,
     is_dark: bool,
     are_rays: bool,
+    /// Sum of the errors that polynomials leave (W).
+    doubt: f64,
 }
 
 impl Deviations {
@@ -213,9 +217,10 @@ impl Integrals {
     /// Adds the light on a patch of an element.
     fn add(&mut self, by: &CellReader, element: usize, patch: &Patch, rect: &Rect) {
         let area = area(patch);
-        let ReadIrradiance { irradiance, deviation } = over_patch(by, element, patch);
+        let ReadIrradiance { irradiance, deviation, doubt } = over_patch(by, element, patch);
         let irradiance: Vec<f64> = irradiance.into_iter().map(|mean| mean * area).collect();
         self.covered += area;
+        self.deviations.doubt += doubt * area;
         if let Some(deviation) = deviation {
             self.deviations.add(deviation, irradiance.iter().sum(), area);
         }
@@ -245,8 +250,9 @@ impl Integrals {
         let mean =
             |sum: Vec<f64>| sum.into_iter().map(|sum| if area > 0.0 { sum / area } else { 0.0 }).collect();
         let deviation = self.deviations.over(self.irradiance.iter().sum(), area);
+        let doubt = if area > 0.0 { self.deviations.doubt / area } else { 0.0 };
         let [irradiance, radiosity, absorbed] = [self.irradiance, self.radiosity, self.absorbed].map(mean);
-        Cell { surface, index, irradiance, radiosity, absorbed, deviation, area, exposed, position }
+        Cell { surface, index, irradiance, radiosity, absorbed, deviation, doubt, area, exposed, position }
     }
 }
 

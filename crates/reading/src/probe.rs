@@ -65,6 +65,8 @@ pub struct ProbeReading {
     pub irradiance: Vec<f64>,
     /// Standard deviation of what was gathered by rays; None otherwise.
     pub deviation: Option<Deviation>,
+    /// About the error that polynomials leave (W m⁻²), root mean square over the bands.
+    pub doubt: f64,
     /// The surface the probe lies on, if any.
     pub on: Option<OnSurface>,
     /// Surfaces that are met first about the probe.
@@ -126,8 +128,8 @@ pub(crate) fn probe_each(
         found
     });
     let reading = |(probe, found): (&Probe, Result<ProbeValues, ProbeFault>)| {
-        let ProbeValues { irradiance, deviation, on, surroundings } = found?;
-        Ok(ProbeReading { probe: *probe, irradiance, deviation, on, surroundings })
+        let ProbeValues { irradiance, deviation, doubt, on, surroundings } = found?;
+        Ok(ProbeReading { probe: *probe, irradiance, deviation, doubt, on, surroundings })
     };
     probes.iter().zip(found).map(reading).collect()
 }
@@ -137,6 +139,7 @@ pub(crate) fn probe_each(
 struct ProbeValues {
     irradiance: Vec<f64>,
     deviation: Option<Deviation>,
+    doubt: f64,
     on: Option<OnSurface>,
     surroundings: Surroundings,
 }
@@ -167,9 +170,9 @@ fn read(reader: &Reader, probe: &Probe, middle: DVec3) -> Result<ProbeValues, Pr
             (value, Some(on))
         }
     };
-    let ReadIrradiance { irradiance, deviation } = value;
+    let ReadIrradiance { irradiance, deviation, doubt } = value;
     let surroundings = surroundings(reader, &standpoint.receiver_point(normal));
-    Ok(ProbeValues { irradiance, deviation, on, surroundings })
+    Ok(ProbeValues { irradiance, deviation, doubt, on, surroundings })
 }
 
 fn surroundings(reader: &Reader, receiver: &ReceiverPoint) -> Surroundings {

@@ -23,6 +23,9 @@ const MORE_SURFACES: f64 = 0.4;
 const BOX: f64 = 16.0;
 const CURVED: f64 = 5.5;
 
+/// Most curved surfaces that count, as many as were measured: of more, most stand aside.
+const MOST_CURVED: usize = 32;
+
 /// Time of a reading that has none beside it, over that of one of many.
 const APART: f64 = 2.0;
 
@@ -43,7 +46,8 @@ pub fn tell_readings(
 /// Time of readings in a scene over their price.
 fn longer(scene: &Scene) -> f64 {
     let surfaces = scene.surfaces.len() as f64;
-    let curved = scene.surfaces.iter().filter(|surface| surface.shape.region().is_none()).count() as f64;
+    let curved = scene.surfaces.iter().filter(|surface| surface.shape.region().is_none()).count();
+    let curved = curved.min(MOST_CURVED) as f64;
     (surfaces / BOX).max(1.0).powf(MORE_SURFACES) * (1.0 + CURVED * curved / surfaces)
 }
 

@@ -37,7 +37,7 @@ struct FrameReadings {
 impl FrameReadings {
     /// The errors that are told after what was `found`, in this frame if it `is_judged`, else in another.
     fn errors(&self, found: Option<&CheckedReadings>, is_judged: bool) -> Vec<f64> {
-        let of = |own: &ProbeReading| self.own.of_reading(&own.irradiance, own.deviation);
+        let of = |own: &ProbeReading| self.own.of_reading(&own.irradiance, own.deviation, own.doubt);
         let estimates = self.readings.iter().map(of);
         match is_judged {
             true => CheckedReadings::all_told(found, estimates),

@@ -19,7 +19,7 @@ use radiosity_reading::uniformity::Uniformity;
 use radiosity_request::picture::{SAMPLES, pixels, require_pixels, sized};
 use radiosity_scene::{Camera, Scene, SensorPlane};
 use radiosity_solve::solved::Solved;
-use radiosity_work::ranks::Ranks;
+use radiosity_work::{Stage, ranks::Ranks};
 
 use super::args::ReportPageArgs;
 use crate::{
@@ -90,6 +90,8 @@ impl<'a> ReportLight<'a> {
         let counts = self.cells.map_or_else(by_size, CellCounts::from);
         let probes = self.sensors.probes();
         let pace = run.pace(probes.len() + counts.total(scene.surfaces.len()));
+        run.tell_readings(&reading, probes.len(), Stage::Points);
+        run.tell_readings(&reading, counts.total(scene.surfaces.len()), Stage::Cells);
         let (sensed, cells) = run.in_threads(|| {
             let (reader, work) = (run.reader(&reading, pace.as_ref()), run.work());
             let sensed = probe(&reader, &probes, scene.middle, &work);
@@ -112,7 +114,9 @@ impl<'a> ReportLight<'a> {
         };
         let count = sensed.len() + cells.len();
         let checked = run.check(count, printed, run.seconds_to_read(&reading, count))?;
-        let estimates = sensed.iter().map(|reading| own.of_reading(&reading.irradiance, reading.deviation));
+        let estimates = sensed
+            .iter()
+            .map(|reading| own.of_reading(&reading.irradiance, reading.deviation, reading.doubt));
         let errors = CheckedReadings::all_told(checked.as_ref(), estimates);
         let figures = planes.map(|on| {
             let errors = &errors[on.first..on.first + on.items.len()];

@@ -71,7 +71,7 @@ impl<'a> PrintedPixels<'a> {
         let printed = self.raster.pixels().nth(pixel)?.to_vec();
         Some(PrintedReading {
             spot: Spot::Pixel(Pixel::of(self.camera, column, row)),
-            own: self.own.of_reading(&printed, None),
+            own: self.own.of_reading(&printed, None, 0.0),
             printed,
             printed_groups: Vec::new(),
             class: self.scene.surfaces[surface].name.clone(),

@@ -16,7 +16,7 @@
 //! as dark and near, and near small things polynomials of large elements miss what these change. A shelf on a wall, or
 //! a partition that stands before one, makes a step in what is reflected where it divides an element; seen from it b is
 //! all of the radiosity there that varies. Then the reflected light is gathered by walks that end at light that is
-//! trusted, beside the direct light, which is known.
+//! trusted, beside the direct light, which is known. Elsewhere the integral is the `doubt` that a reading tells.
 
 use std::sync::Arc;
 
@@ -152,10 +152,20 @@ impl<'a> DoubtfulPlaces<'a> {
         self.gaps.about(receiver).map(|own| self.shadows.reflected_in_gap(receiver, own, lit))
     }
 
-    /// The light of a doubtful point, where so much is `lit` by emitters (W m⁻² per band); None elsewhere.
-    pub(super) fn point_anew(&self, receiver: &ReceiverPoint, lit: &[f64]) -> Option<ReadIrradiance> {
-        let allowed = |all: f64| f64::min(DOUBTFUL * all, UNSURE * all.max(1.0));
-        self.is_doubtful(receiver, lit, allowed).then(|| self.read_anew(&Receiver::Point(*receiver), lit))
+    /// All light of a point, where so much is `lit` by emitters (W m⁻² per band): read anew if it is doubtful, and else
+    /// what is `reflected`, with the doubt that is left.
+    pub(super) fn point(
+        &self,
+        receiver: &ReceiverPoint,
+        lit: &[f64],
+        reflected: impl FnOnce() -> ReadIrradiance,
+    ) -> ReadIrradiance {
+        let looks = self.looks(receiver, &self.varying);
+        let all = self.beside_usual(lit) + self.beside_usual(&looks.reflected);
+        if looks.doubt > f64::min(DOUBTFUL * all, UNSURE * all.max(1.0)) {
+            return self.read_anew(&Receiver::Point(*receiver), lit);
+        }
+        ReadIrradiance { doubt: self.in_watts(looks.doubt), ..reflected().with(lit) }
     }
 
     /// The reflected light of a point, one of many, accurate relative to this and the light `other` (W m⁻² per band),
@@ -178,27 +188,32 @@ impl<'a> DoubtfulPlaces<'a> {
         looks.doubt > allowed(self.beside_usual(known) + self.beside_usual(&looks.reflected))
     }
 
-    /// The light of a doubtful patch, where so much is `lit` by emitters and so much `reflected` light was found (W m⁻²
-    /// per band); None elsewhere.
-    pub(super) fn patch_anew(
-        &self,
-        origin: &Receiver,
-        lit: &[f64],
-        reflected: &[f64],
-    ) -> Option<ReadIrradiance> {
+    /// All light of a patch, where so much is `lit` by emitters and so much `reflected` light was found (W m⁻² per
+    /// band): read anew if it lies in shadow and is doubtful, and else these, with the doubt that is left in shadow.
+    pub(super) fn patch(&self, origin: &Receiver, lit: &[f64], reflected: &[f64]) -> ReadIrradiance {
+        let found = || ReadIrradiance::from(reflected.to_vec()).with(lit);
         let all = self.beside_usual(lit) + self.beside_usual(reflected);
         if all >= SHADOWED || !self.light.rays.visibility.has_obstacles() {
-            return None;
+            return found();
         }
         let middle = origin.middle();
-        let is_near_unknown = || self.looks(&middle, &self.bends).doubt > DOUBTFUL_OVER_PATCH * all + NOTHING;
-        let is_doubtful = is_near_unknown() || (all > NOTHING && self.gaps.hold(&middle));
-        is_doubtful.then(|| self.read_anew(origin, lit))
+        let doubt = self.looks(&middle, &self.bends).doubt;
+        let is_near_unknown = doubt > DOUBTFUL_OVER_PATCH * all + NOTHING;
+        if is_near_unknown || (all > NOTHING && self.gaps.hold(&middle)) {
+            return self.read_anew(origin, lit);
+        }
+        ReadIrradiance { doubt: self.in_watts(doubt), ..found() }
     }
 
     /// All light of a receiver, where so much is `lit` by emitters, with reflected light by walks.
     fn read_anew(&self, origin: &Receiver, lit: &[f64]) -> ReadIrradiance {
         known_beside(self.shadows.reflected_alone(origin, lit).with(lit))
+    }
+
+    /// A doubt over the usual light as an error, root mean square over the bands (W m⁻²).
+    fn in_watts(&self, doubt: f64) -> f64 {
+        let squares: f64 = self.light.usual.iter().map(|usual| usual * usual).sum();
+        doubt * (squares / self.light.usual.len() as f64).sqrt()
     }
 
     /// Light per band over the usual light, in the mean.

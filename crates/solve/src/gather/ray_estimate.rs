@@ -201,7 +201,7 @@ impl Estimate {
 
 impl From<Estimate> for ReadIrradiance {
     fn from(Estimate { irradiance, deviation, .. }: Estimate) -> Self {
-        Self { irradiance, deviation: Some(deviation) }
+        Self { irradiance, deviation: Some(deviation), doubt: 0.0 }
     }
 }
 

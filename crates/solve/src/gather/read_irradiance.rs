@@ -9,6 +9,9 @@ pub struct ReadIrradiance {
     pub irradiance: Vec<f64>,
     /// Standard deviation of what was gathered by rays; None otherwise.
     pub deviation: Option<Deviation>,
+    /// About the error that the polynomials of elements near by leave, root mean square over the bands (W m⁻²); 0 where
+    /// none was looked for.
+    pub doubt: f64,
 }
 
 /// Standard deviation of an irradiance by rays.
@@ -34,6 +37,6 @@ impl ReadIrradiance {
 
 impl From<Vec<f64>> for ReadIrradiance {
     fn from(irradiance: Vec<f64>) -> Self {
-        Self { irradiance, deviation: None }
+        Self { irradiance, deviation: None, doubt: 0.0 }
     }
 }

@@ -22,6 +22,9 @@ const RUNS: usize = 16;
 const RUN: usize = 16;
 const GATHERED: usize = 64;
 
+/// Places of all by which it is found how many each surface has. Chosen: a millisecond.
+const GLANCES: usize = 1024;
+
 /// Seconds of one core to see a place and to fit its light where direct light has closed forms, and where rays find
 /// it. Measured on eight scenes with closed forms, 4 to 10 µs, and on four others, 10 to 20.
 const EXACT: f64 = 7e-6;
@@ -33,10 +36,10 @@ const BY_RAYS: f64 = 15e-6;
 const RAY: f64 = 0.95e-6;
 const SEARCHED: f64 = 0.8;
 
-/// Spots at which light is gathered, over the square root of the number of places, where all is uneven, and the
-/// power of the part that is. Measured in eleven scenes of 160 × 120 to 320 × 240 places of which the parts 0.02 to 0.8
-/// are uneven: 0.5 to 1.7 times as many, but for an empty box and a room, 2.5 and 2.3.
-const SPOTS: f64 = 150.0;
+/// Spots at which light is gathered on a surface, over the square root of the number of its places, where all is
+/// uneven, and the power of the part that is. Measured in twelve scenes of 128 × 128 to 512 × 512 places of which the
+/// parts 0.02 to 0.54 are uneven: 0.6 to 1.3 times as many, but for the temple 1.7 and an empty box 2.1.
+const SPOTS: f64 = 68.0;
 const OF_UNEVEN: f64 = 0.6;
 
 /// Part of a length by which points follow each other evenly.
@@ -76,6 +79,8 @@ struct Trial<'a> {
     light: &'a PictureLight<'a>,
     /// Number of all places.
     places: f64,
+    /// What some of them see.
+    glances: Glances,
     seen: Vec<Option<SeenPlace>>,
     direct: Vec<DirectIrradiance>,
     /// Rays for the direct light of a place, in the mean.
@@ -87,7 +92,7 @@ impl<'a> Trial<'a> {
     fn new(
         light: &'a PictureLight,
         places: usize,
-        seen: &(dyn Fn(usize) -> Option<SeenPlace> + Sync),
+        seen_at: &(dyn Fn(usize) -> Option<SeenPlace> + Sync),
     ) -> Self {
         // Runs begin in all columns, whatever the width is.
         let place = |trial: usize| {
@@ -96,7 +101,7 @@ impl<'a> Trial<'a> {
             ((part * places as f64) as usize + trial % RUN).min(places - 1)
         };
         let seen: Vec<Option<SeenPlace>> =
-            (0..RUNS * RUN).into_par_iter().map(|trial| seen(place(trial))).collect();
+            (0..RUNS * RUN).into_par_iter().map(|trial| seen_at(place(trial))).collect();
         // Squares of the picture hold no more than one run.
         let pixel = |trial: usize| [trial % RUN, 2 * RUN * (trial / RUN)];
         let neighbourhoods =
@@ -109,7 +114,8 @@ impl<'a> Trial<'a> {
         let (direct, rays): (Vec<DirectIrradiance>, Vec<u64>) =
             (0..seen.len()).into_par_iter().map(of).unzip();
         let direct_rays = rays.iter().sum::<u64>() as f64 / seen.len() as f64;
-        Self { light, places: places as f64, seen, direct, direct_rays }
+        let glances = Glances::new(places, seen_at);
+        Self { light, places: places as f64, glances, seen, direct, direct_rays }
     }
 
     /// About the seconds that the light of all places takes two threads.
@@ -175,26 +181,66 @@ impl<'a> Trial<'a> {
 
     /// About the spots at which reflected light is gathered.
     fn spots(&self) -> f64 {
-        let seen = self.places * self.seen.iter().flatten().count() as f64 / self.seen.len() as f64;
         let uneven = self.uneven().max(1.0 / self.seen.len() as f64);
-        (SPOTS * uneven.powf(OF_UNEVEN) * seen.sqrt()).min(seen)
+        let of_surface = |seen: f64| (SPOTS * uneven.powf(OF_UNEVEN) * seen.sqrt()).min(seen);
+        self.glances.by_surface.iter().map(|own| of_surface(self.glances.places(own))).sum()
     }
 
-    /// Rays that gather the reflected light of a spot, in the mean over some.
+    /// Rays that gather the reflected light of a spot, in the mean over some: of each surface as many as it has spots,
+    /// and half as many where direct light is uneven.
     fn rays_of_spot(&self) -> f64 {
-        let (even, uneven): (Vec<usize>, Vec<usize>) = (0..self.seen.len())
-            .filter(|place| self.seen[*place].is_some())
-            .partition(|place| !Self::has_end(*place) || self.goes_on(*place));
-        let some = |places: Vec<usize>| {
-            let step = (2 * places.len() / GATHERED).max(1);
-            places.into_iter().step_by(step)
+        let is_uneven =
+            |place: &usize| self.seen[*place].is_some() && Self::has_end(*place) && !self.goes_on(*place);
+        let uneven: Vec<usize> = (0..self.seen.len()).filter(is_uneven).collect();
+        let step = (2 * uneven.len() / GATHERED).max(1);
+        let uneven = uneven.iter().step_by(step).filter_map(|place| self.seen[*place].as_ref());
+        let chosen: Vec<&SeenPlace> = self.glances.some(GATHERED).into_iter().chain(uneven).collect();
+        let rays = |seen: &&SeenPlace| {
+            let direct = self.light.direct(seen, None, FIRST);
+            with_rays(|| self.light.rest(seen, &direct.bands, 1.0)).1
         };
-        let chosen: Vec<usize> = some(even).chain(some(uneven)).collect();
-        let rays = |place: &usize| {
-            let seen = self.seen[*place].as_ref()?;
-            Some(with_rays(|| self.light.rest(seen, &self.direct[*place].bands, 1.0)).1)
+        chosen.par_iter().map(rays).sum::<u64>() as f64 / chosen.len().max(1) as f64
+    }
+}
+
+/// Places of a few of many, evenly spread, by the surfaces that they see.
+struct Glances {
+    by_surface: Vec<Vec<SeenPlace>>,
+    /// Places that each stands for.
+    each: f64,
+}
+
+impl Glances {
+    /// Of so many places.
+    fn new(places: usize, seen: &(dyn Fn(usize) -> Option<SeenPlace> + Sync)) -> Self {
+        let place = |glance: usize| ((glance as f64 + 0.5) * GOLDEN).fract();
+        let seen = |glance: usize| seen((place(glance) * places as f64) as usize);
+        let mut found: Vec<SeenPlace> = (0..GLANCES).into_par_iter().filter_map(seen).collect();
+        found.sort_by_key(|seen| seen.place.surface);
+        let mut by_surface: Vec<Vec<SeenPlace>> = Vec::new();
+        for seen in found {
+            match by_surface.last_mut() {
+                Some(own) if own[0].place.surface == seen.place.surface => own.push(seen),
+                _ => by_surface.push(vec![seen]),
+            }
+        }
+        Self { by_surface, each: places as f64 / GLANCES as f64 }
+    }
+
+    /// About the places that see the surface that these see.
+    fn places(&self, own: &[SeenPlace]) -> f64 {
+        self.each * own.len() as f64
+    }
+
+    /// About so many of them, of each surface in proportion to the square root of its places.
+    fn some(&self, count: usize) -> Vec<&SeenPlace> {
+        let root = |own: &Vec<SeenPlace>| (own.len() as f64).sqrt();
+        let all: f64 = self.by_surface.iter().map(root).sum();
+        let of = |own: &'_ Vec<SeenPlace>| {
+            let wanted = (count as f64 * root(own) / all).round().max(1.0) as usize;
+            (own.len() / wanted).max(1)
         };
-        chosen.par_iter().filter_map(rays).sum::<u64>() as f64 / chosen.len().max(1) as f64
+        self.by_surface.iter().flat_map(|own| own.iter().step_by(of(own))).collect()
     }
 }
 
