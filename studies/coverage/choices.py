@@ -2,8 +2,8 @@
 
     python choices.py SHARED [--command radiosity] [--limit 120]
 
-Rooms are those of SHARED/cases/rooms with balls, cylinders, cones or tori. Rays err as n^-½: their seconds for the error told
-by rules are those that they took times the square of the errors' ratio, where that is above 1.
+Rooms are those of SHARED/cases/rooms with balls, cylinders, cones or tori. Seconds are those of `solve`, errors those of
+readings by `probe`, in the mean of all, and what rays tell to leave in the radiosity of elements.
 """
 
 import argparse
