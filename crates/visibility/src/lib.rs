@@ -516,7 +516,7 @@ fn standing(obstacles: &[Obstacle], cloud: &Cloud, boxes: &[Aabb], eps: f64) -> 
         .collect()
 }
 
-/// The points on which the obstacles span.
+/// The points whose convex hull holds all obstacles.
 fn cloud_of(obstacles: &[Obstacle]) -> Cloud {
     Cloud::new(obstacles.iter().flat_map(|obstacle| obstacle.hull.iter().copied()).collect())
 }

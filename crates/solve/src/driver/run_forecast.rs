@@ -19,8 +19,8 @@ pub struct RunForecast {
     pub elements: usize,
     /// Unknowns of each band.
     pub unknowns: usize,
-    /// The forecast of its direct light and transfers: seconds of [`radiosity_work::FORECAST_THREADS`] threads of the machine of the
-    /// prices, which [`radiosity_work::Machine::seconds`] makes those of this one.
+    /// The forecast of its direct light and transfers: seconds of [`radiosity_work::FORECAST_THREADS`] threads of the
+    /// machine of the prices, which [`radiosity_work::Machine::seconds`] makes those of this one.
     pub seconds: f64,
     /// Bytes that it takes at the most, on each rank.
     pub bytes: u64,
