@@ -7,7 +7,6 @@ SHARED is the folder with `scenes/mgf` and `cases/adversary`.
 
 import argparse
 import pathlib
-import re
 import subprocess
 import sys
 import tempfile
@@ -22,7 +21,8 @@ PICTURES = ["cornell-box", "teapot", "temple", "billiard", "cathedral", "soda.js
 def scenes(command, shared, folder):
     """Built-in scenes of light, MGF rooms and rooms that are hard, those of a program in `folder`."""
     listed = subprocess.run([command, "scenes"], capture_output=True, text=True, check=True).stdout
-    yield from re.findall(r"^([a-z][a-z0-9-]+)  ", listed, re.MULTILINE)
+    # A table of scenes, then one of their parameters.
+    yield from (line.split()[0] for line in listed.split("\n\n")[0].splitlines()[1:])
     yield from sorted((shared / "scenes" / "mgf").glob("*.mgf"))
     yield from (own for own in sorted((shared / "scenes" / "mgf").glob("*.json")) if "reference" not in own.name)
     hard = shared / "cases" / "adversary"
