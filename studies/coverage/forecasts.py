@@ -11,15 +11,11 @@ lengthens the stages, not the CPU time of a run: stages are scaled by the CPU ti
 import argparse
 import csv
 import pathlib
-import re
-import resource
 import statistics
-import subprocess
 import sys
-import tempfile
-import time
 
-STAGE = re.compile(r"([a-z][a-z -]*?) ([0-9.]+) s(?: \(forecast ([0-9.e+-]+) s\))?(?:, |$)")
+import measured
+
 COLUMNS = ["verb", "scene", "code", "wall", "cpu", "told", "stages", "parts"]
 
 
@@ -79,25 +75,15 @@ def pictures(shared, office):
 
 def run(command, arguments):
     """A run with its seconds, and its stages as they were told and took."""
-    verb, scene = arguments[0], pathlib.Path(arguments[1])
-    before, begun = resource.getrusage(resource.RUSAGE_CHILDREN), time.monotonic()
-    with tempfile.TemporaryDirectory() as here:
-        done = subprocess.run(
-            [command, verb, *map(str, arguments[1:]), "--threads", "1"], cwd=here, capture_output=True, text=True, check=False
-        )
-    wall, after = time.monotonic() - begun, resource.getrusage(resource.RUSAGE_CHILDREN)
-    cpu = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
-    lines = [line.removeprefix("stages: ") for line in done.stderr.splitlines() if line.startswith("stages: ")]
-    if done.returncode != 0:
-        print(done.stderr, file=sys.stderr)
-    found = STAGE.findall(lines[-1]) if lines else []
-    stages = {name: float(took) for name, took, _ in found}
-    told = {name: float(own) for name, _, own in found if own}
-    parts = " ".join(f"{name.replace(' ', '-')}:{took * cpu / wall:.3g}/{told.get(name, 0):.3g}" for name, took in stages.items())
-    whole = sum(stages.values())
+    own = measured.run(command, [*arguments, "--threads", "1"])
+    if own["code"] != 0:
+        print(own["told"], file=sys.stderr)
+    stages, told = measured.stages(own["told"]), measured.forecasts(own["told"])
+    share = own["cpu"] / own["wall"]
+    parts = " ".join(f"{name.replace(' ', '-')}:{took * share:.3g}/{told.get(name, 0):.3g}" for name, took in stages.items())
     return {
-        "verb": verb, "scene": scene.name, "code": done.returncode, "wall": f"{wall:.3g}", "cpu": f"{cpu:.3g}",
-        "told": f"{sum(told.values()):.3g}", "stages": f"{(whole - stages.get('other', 0)) / whole if whole else 0:.3f}",
+        "verb": arguments[0], "scene": pathlib.Path(arguments[1]).name, "code": own["code"], "wall": f"{own['wall']:.3g}",
+        "cpu": f"{own['cpu']:.3g}", "told": f"{sum(told.values()):.3g}", "stages": f"{measured.share(stages) or 0:.3f}",
         "parts": parts,
     }
 

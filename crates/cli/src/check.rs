@@ -38,8 +38,8 @@ pub(crate) struct CheckArgs {
     #[arg(long, value_name = "FORMAT", default_value = "text")]
     pub(crate) format: Format,
 
-    /// Tells about the seconds that the transfers of a solution take here, and its memory, by the usual ways;
-    /// light at pixels, cells and points, and checks, come on top, and are told when they begin
+    /// Tells about the seconds that direct light and transfers of a solution take here, and its memory, by the usual
+    /// ways; light at pixels, cells and points, and checks, come on top, and are told when they begin
     #[arg(long)]
     pub(crate) cost: bool,
 }

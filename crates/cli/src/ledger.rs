@@ -71,6 +71,11 @@ impl Ledger {
         self.running.push(RunningStage { stage, began: self.booked });
     }
 
+    /// The stage that began last and has not ended.
+    pub(crate) fn running(&self) -> Option<Stage> {
+        self.running.last().map(|own| own.stage)
+    }
+
     /// Ends a stage; its time, where it lay in no other.
     pub(crate) fn end(&mut self, stage: Stage) -> Option<Duration> {
         self.book();

@@ -30,6 +30,13 @@ pub(crate) struct Progress {
 /// Seconds from which waiting is announced. Chosen.
 const LONG: f64 = 1.0;
 
+/// Time after which a bar is drawn again that nothing has moved. Chosen.
+const TICK: Duration = Duration::from_millis(500);
+
+/// Lines of stages of which parts are counted, and of others.
+const COUNTED: &str = "{msg:12} [{bar:30}] {human_pos}/{human_len} {per_sec} {eta} left{prefix}";
+const UNCOUNTED: &str = "{msg:12} {elapsed}{prefix}";
+
 impl Progress {
     /// A bar of a run on so many threads (0: all) that began at this instant with what is done by now, which shows
     /// nothing yet; on the first of these ranks only.
@@ -47,15 +54,10 @@ impl Progress {
         let shown = !quiet && stderr().is_terminal();
         let target =
             if shown { ProgressDrawTarget::stderr_with_hz(10) } else { ProgressDrawTarget::hidden() };
-        let style = ProgressStyle::with_template(
-            "{msg:12} [{bar:30}] {human_pos}/{human_len} {per_sec} {eta} left{prefix}",
-        )
-        .expect("the template is correct")
-        .progress_chars("=> ");
         let mut ledger = Ledger::since(started);
         ledger.enter(None);
         Progress {
-            bar: ProgressBar::with_draw_target(Some(0), target).with_style(style),
+            bar: ProgressBar::with_draw_target(Some(0), target),
             quiet,
             verbose,
             threads: ranks.threads(threads),
@@ -98,14 +100,34 @@ impl Progress {
 
     /// Shows a stage, with a remark at the end of the line.
     fn show_with(&self, stage: &'static str, remark: &str, done: u64, total: u64) {
-        if self.bar.message() != stage {
-            self.bar.reset();
-            self.bar.set_message(stage);
+        if self.bar.is_finished() || self.bar.message() != stage {
+            self.begin_line(COUNTED, stage);
         }
         let whole = self.whole.lock().unwrap_or_else(PoisonError::into_inner);
         self.bar.set_prefix(format!("{remark}{whole}"));
         self.bar.set_length(total);
         self.bar.set_position(done);
+    }
+
+    /// Begins the line of a stage.
+    fn begin_line(&self, template: &str, stage: &'static str) {
+        let style = ProgressStyle::with_template(template).expect("the template is correct");
+        self.bar.set_style(style.progress_chars("=> "));
+        self.bar.reset();
+        self.bar.set_message(stage);
+    }
+
+    /// Shows the stage that runs, from time to time also while nothing of it is counted; nothing while none runs, as
+    /// tables may be written.
+    fn show_running(&self) {
+        let running = self.ledger().running();
+        match running.filter(|_| !self.bar.is_hidden()) {
+            Some(stage) => {
+                self.begin_line(UNCOUNTED, stage.name());
+                self.bar.enable_steady_tick(TICK);
+            }
+            None => self.clear(),
+        }
     }
 
     /// Seconds by the clock of the threads of this run for a forecast.
@@ -135,6 +157,7 @@ impl Progress {
 
     /// Removes the bar, so that only the summary stays on the screen.
     pub(crate) fn clear(&self) {
+        self.bar.disable_steady_tick();
         self.bar.finish_and_clear();
     }
 
@@ -151,9 +174,13 @@ impl Observer for Progress {
             Event::Done { stage, done, of } => self.show(stage.name(), done, of),
             Event::Rays { done, of, error } => self.show_rays(done, of, error),
             Event::Iteration { band, of, .. } => self.show(Stage::Solve.name(), band, of),
-            Event::Began { stage } => self.ledger().begin(stage),
+            Event::Began { stage } => {
+                self.ledger().begin(stage);
+                self.show_running();
+            }
             Event::Ended { stage } => {
                 let took = self.ledger().end(stage);
+                self.show_running();
                 took.into_iter().filter(|_| self.verbose).for_each(|took| self.tell(stage, took));
             }
         }

@@ -12,6 +12,8 @@
 //! The integrals over x are Gauss rules on m × m cells of each patch: many cells for D with its edges, few
 //! for the smooth g, whose points are exact for φ_k times a linear function.
 
+mod node_counts;
+
 use std::collections::BTreeMap;
 
 use radiosity_core::dot;
@@ -28,10 +30,12 @@ use crate::coats::Coats;
 use crate::direct::DirectLight;
 use crate::emitters::Emitters;
 use crate::occluders::Site;
+use crate::point_lights::PointLights;
 use crate::receiver_point::ReceiverPoint;
 use crate::reflected;
 use crate::reflected::{IrradianceAt, Reflection};
 use crate::tolerances::MOST_QUARTERINGS_AT_LUMINAIRE;
+pub use node_counts::NodeCounts;
 
 /// Halvings of a patch in each direction for D: sixteen cells, of which a shadow edge crosses a few. An
 /// arbitrary choice: with fewer d is off by more where edges pass, and each further one takes four times the
@@ -59,7 +63,7 @@ const SMALL: f64 = 0.25;
 
 /// Loosest relative accuracy of g at a point: errors average out in the coefficients g_k, of some tens of
 /// points each. With a larger value single points would show.
-pub(crate) const LOOSEST: f64 = 2e-2;
+pub const LOOSEST: f64 = 2e-2;
 
 /// Accuracy of g at a point over that of D, of the light of openings and luminous areas: what lies far from
 /// them has reflected light alone, and cells err to one side. Measured in a room of 6 m with a window: at its
@@ -115,11 +119,31 @@ pub enum DirectLightEntry {
     Split(Bounce),
 }
 
+/// Halvings of a patch in each direction for the light of luminaires and of the sun.
+fn halvings_of(points: &PointLights) -> usize {
+    if points.has_sun() { SUNNY_HALVINGS } else { DIRECT_HALVINGS }
+}
+
+/// Points each way of a cell for d.
+fn direct_points(element: &Element, halvings: usize) -> usize {
+    (element.basis.order() >> halvings) + 2
+}
+
+/// Halvings of a patch in each direction for g.
+fn reflected_halvings(element: &Element, patch: &Patch) -> usize {
+    if area(patch) < SMALL * element.area { 0 } else { REFLECTED_HALVINGS }
+}
+
+/// Points each way of a cell for g.
+fn reflected_points(element: &Element, halvings: usize) -> usize {
+    element.basis.order().div_ceil(1 << halvings) + 1
+}
+
 /// The coefficients of the irradiance from luminaires on `elements`, per band (W m⁻² times scene length).
 pub fn lit_by(sources: &Emitters<'_>, visibility: &Visibility, ranks: &Ranks) -> Vec<Vec<f64>> {
     let Emitters { elements, ref coatings, points, .. } = *sources;
     let lamps: Vec<Peak> = points.ends().map(Peak::between).collect();
-    let halvings = if points.has_sun() { SUNNY_HALVINGS } else { DIRECT_HALVINGS };
+    let halvings = halvings_of(points);
     let lit = |index: usize, own: &NumberedNode<'_>| {
         let mut lit = vec![0.0; coatings.len()];
         let NumberedNode { node, .. } = *own;
@@ -333,7 +357,7 @@ fn of_direct(
     lit: &dyn Fn(&NumberedNode<'_>) -> Vec<f64>,
 ) -> Vec<Vec<f64>> {
     let mut sums = Sums::new(element, bands);
-    let points = (element.basis.order() >> peaks.halvings) + 2;
+    let points = direct_points(element, peaks.halvings);
     let whole = element.patches.iter().flat_map(|patch| cells(patch, peaks.halvings));
     let mut open: Vec<(Patch, usize)> = whole.map(|cell| (cell, 0)).collect();
     let mut small = Vec::with_capacity(open.len());
@@ -378,8 +402,8 @@ fn of_reflected(element: &Element, index: usize, light: &DirectReflection<'_>) -
     let DirectReflection { lit, reflection, coats, eps } = light;
     let mut sums = Sums::new(element, coats.count() * reflection.bands());
     for patch in &element.patches {
-        let halvings = if area(patch) < SMALL * element.area { 0 } else { REFLECTED_HALVINGS };
-        let points = element.basis.order().div_ceil(1 << halvings) + 1;
+        let halvings = reflected_halvings(element, patch);
+        let points = reflected_points(element, halvings);
         for cell in cells(patch, halvings) {
             let site = Site { points: &cell.hull(), ..Site::of(element) };
             let around = reflection.around(&site);

@@ -211,6 +211,11 @@ impl PointLights {
         (0..MOST_LEVELS).find(reaches).unwrap_or(MOST_LEVELS) as usize
     }
 
+    /// Their number.
+    pub fn count(&self) -> usize {
+        self.list.len() + self.suns.len()
+    }
+
     /// Whether the sun is among them.
     pub fn has_sun(&self) -> bool {
         !self.suns.is_empty()

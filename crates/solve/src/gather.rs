@@ -33,7 +33,7 @@ mod ray_estimate;
 pub mod ray_gather;
 mod narrow_gaps;
 mod doubtful_places;
-mod cell_price;
+pub(crate) mod cell_price;
 pub mod gather_method;
 
 use radiosity_elements::patch::Node;

@@ -106,39 +106,47 @@ impl Visibility {
 
     /// The obstacles of `scene`, whose shadows are found so, to the accuracy `eps`.
     pub fn new(scene: &Scene, shadows: Shadows, eps: f64) -> Self {
-        let eps = if shadows == Shadows::Off { 0.0 } else { eps };
         let obstacle = |shape: &Arc<dyn Surface>| {
             check_interrupt();
             Obstacle::new(shape)
         };
         let obstacles: Vec<Obstacle> = scene.surfaces.iter().map(|s| obstacle(&s.shape)).collect();
         let boxes: Vec<Aabb> = scene.surfaces.iter().map(|s| s.shape.bounds(&Rect::FULL)).collect();
-        let cloud = Cloud::new(obstacles.iter().flat_map(|obstacle| obstacle.hull.iter().copied()).collect());
-        let standing = standing(&obstacles, &cloud, &boxes, eps);
-        let standing_boxes: Vec<Aabb> = standing.iter().map(|index| boxes[*index]).collect();
-        let standing_tree = Bvh::build(&standing_boxes);
+        let cloud = cloud_of(&obstacles);
         let tree = Bvh::build(&boxes);
         let rays = RayTree::new(scene.surfaces.iter().map(|s| Arc::clone(&s.shape)).collect());
         let (bodies, screens) = bodies(&obstacles, &cloud);
-        let shells = match shadows {
-            Shadows::Off => Shells::default(),
-            _ => Shells::of(&obstacles, &boxes, &tree, |own| rays.other_side(own)),
-        };
         let places = places(&obstacles);
-        Self {
+        let unseen = Self {
             obstacles,
             boxes,
             tree,
             rays,
-            standing,
-            standing_tree,
+            standing: Vec::new(),
+            standing_tree: Bvh::build(&[]),
             bodies,
             screens,
-            shells,
+            shells: Shells::default(),
             places,
-            shadows,
-            eps,
-        }
+            shadows: Shadows::Off,
+            eps: 0.0,
+        };
+        unseen.found_by(shadows, eps)
+    }
+
+    /// These obstacles, whose shadows are found so, to the accuracy `eps`.
+    #[must_use]
+    pub fn found_by(self, shadows: Shadows, eps: f64) -> Self {
+        let eps = if shadows == Shadows::Off { 0.0 } else { eps };
+        let Self { obstacles, boxes, tree, rays, .. } = &self;
+        let standing = standing(obstacles, &cloud_of(obstacles), boxes, eps);
+        let standing_boxes: Vec<Aabb> = standing.iter().map(|index| boxes[*index]).collect();
+        let standing_tree = Bvh::build(&standing_boxes);
+        let shells = match shadows {
+            Shadows::Off => Shells::default(),
+            _ => Shells::of(obstacles, boxes, tree, |own| rays.other_side(own)),
+        };
+        Self { standing, standing_tree, shells, shadows, eps, ..self }
     }
 
     /// Candidate blockers between the hulls of the points `a` and `b`, ascending: without the two `surfaces`,
@@ -474,6 +482,11 @@ impl Visibility {
         self.standing.binary_search(&surface).is_ok()
     }
 
+    /// The surfaces that can stand between two others, ascending.
+    pub fn standing(&self) -> impl Iterator<Item = usize> {
+        self.standing.iter().copied()
+    }
+
     /// Whether the planes of the surfaces allow any of them to stand between two others.
     pub fn has_obstacles(&self) -> bool {
         !self.standing.is_empty()
@@ -501,6 +514,11 @@ fn standing(obstacles: &[Obstacle], cloud: &Cloud, boxes: &[Aabb], eps: f64) -> 
     (0..obstacles.len())
         .filter(|index| !walls_in(index) && !obstacles[*index].encloses_all(obstacles))
         .collect()
+}
+
+/// The points whose convex hull holds all obstacles.
+fn cloud_of(obstacles: &[Obstacle]) -> Cloud {
+    Cloud::new(obstacles.iter().flat_map(|obstacle| obstacle.hull.iter().copied()).collect())
 }
 
 /// The convex bodies that surfaces close, and the surfaces as parts of screens.

@@ -127,11 +127,15 @@ impl<'a> Shooting<'a> {
             self.progress.ledger().expect(Stage::Picture, count as f64 * each);
             self.film = Some(film);
         }
-        let of_first = self.progress.ledger().forecast(Stage::Blocks);
-        let others = self.range.count().saturating_sub(1);
-        self.progress.ledger().expect(Stage::Blocks, FOLLOWING * others as f64 * of_first);
-        let all = [Stage::Blocks, Stage::Picture].map(|stage| self.progress.ledger().forecast(stage));
-        let time = TimeLeft::new(self.begun, count, self.progress.seconds(all[0] - of_first + all[1]));
+        let others = self.range.count().saturating_sub(1) as f64;
+        let more = [(Stage::Direct, others), (Stage::Blocks, FOLLOWING * others)].map(|(stage, frames)| {
+            let more = frames * self.progress.ledger().forecast(stage);
+            self.progress.ledger().expect(stage, more);
+            more
+        });
+        let pictures = self.progress.ledger().forecast(Stage::Picture);
+        let seconds = self.progress.seconds(more.iter().sum::<f64>() + pictures);
+        let time = TimeLeft::new(self.begun, count, seconds);
         self.progress.announce(&format!("{count} frames"), time.seconds(0));
         self.time = Some(time);
         Ok(())

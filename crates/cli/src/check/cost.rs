@@ -1,16 +1,19 @@
 //! The cost of a solution of a scene by its usual ways, before any is made.
 
+use std::time::Instant;
+
 use radiosity_output::table::{Column, Table};
 use radiosity_reading::quality::Quality;
 use radiosity_request::MethodRequest;
 use radiosity_scene::Scene;
 use radiosity_solve::driver::{RunForecast, Transport};
-use radiosity_work::Machine;
 use radiosity_work::digits::significant;
 use radiosity_work::ranks::Ranks;
+use radiosity_work::{Machine, Work};
 use serde_json::{Value, json};
 
 use crate::error::CliError;
+use crate::progress::Progress;
 
 /// A way to solve a scene, as its options on the command line, and what it takes.
 #[derive(Debug)]
@@ -36,13 +39,17 @@ impl Way {
             ("--transport sampled", by(Transport::Sampled)),
             ("--transport exact", by(Transport::Exact)),
         ];
-        let way = |(options, request): (&'static str, MethodRequest)| {
-            let asked = request.options(ranks);
-            let forecast = RunForecast::of(scene, &asked, ranks)?;
-            let seconds = Machine::of(ranks.threads(asked.threads)).seconds(forecast.transfers);
-            Ok(Self { options, forecast, seconds })
+        let asked = ways.each_ref().map(|(_, request)| request.options(ranks));
+        let progress = Progress::new(false, 0, Instant::now(), ranks);
+        let work = Work::among(ranks).observed_by(&progress);
+        let forecasts = RunForecast::all(scene, &asked, &work)?;
+        let machine = Machine::of(ranks.threads(0));
+        let way = |((options, _), forecast): ((&'static str, MethodRequest), RunForecast)| Self {
+            options,
+            forecast,
+            seconds: machine.seconds(forecast.seconds),
         };
-        ways.into_iter().map(way).collect()
+        Ok(ways.into_iter().zip(forecasts).map(way).collect())
     }
 
     /// A table of ways for people.

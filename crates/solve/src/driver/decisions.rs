@@ -36,6 +36,8 @@ pub(super) struct AssemblyPlan<'a> {
     pub how: Option<Discretization>,
     /// Cells of the surfaces, if not those that follow from `how`.
     pub mesh: Option<&'a Mesh>,
+    /// The obstacles of the scene, where they are known.
+    pub visibility: Option<Visibility>,
 }
 
 /// All decisions about a scene.
@@ -67,7 +69,13 @@ impl Layout {
 
     /// The plan of a model of this layout.
     pub(super) fn plan(&self) -> AssemblyPlan<'_> {
-        AssemblyPlan { choice: Some(self.choice.clone()), how: Some(self.how), mesh: Some(&self.mesh) }
+        let Self { choice, how, mesh } = self;
+        AssemblyPlan {
+            choice: Some(choice.clone()),
+            how: Some(*how),
+            mesh: Some(mesh),
+            ..AssemblyPlan::default()
+        }
     }
 }
 
@@ -79,7 +87,10 @@ impl<'a> AssemblyPlan<'a> {
 
     /// All decisions about `scene`, with so much time `left` if that is limited.
     pub(super) fn decided(self, scene: &Scene, options: &Options, left: Option<Allowance>) -> Decisions<'a> {
-        let visibility = options.visibility(scene);
+        let visibility = self.visibility.map_or_else(
+            || options.visibility(scene),
+            |known| known.found_by(options.shadows, options.accuracy().shadow_eps),
+        );
         let choice = self.choice.unwrap_or_else(|| TransportChoice::of(scene, options, left, || &visibility));
         let left = left.filter(|_| options.rays.is_none());
         let budget = || rays_in_time(options.ray_budget(scene), scene.surfaces.len(), left);
@@ -104,14 +115,15 @@ impl Decisions<'_> {
         }
     }
 
-    /// Refuses a run that needs more memory than allowed; its blocks and rays may be kept for the next scene.
+    /// Refuses a run that needs more memory than allowed; else the bytes that it needs at the most, estimated. Its
+    /// blocks and rays may be kept for the next scene.
     pub(super) fn require_memory(
         &self,
         scene: &Scene,
         options: &Options,
         is_kept: bool,
         ranks: &Ranks,
-    ) -> Result<(), Failure> {
+    ) -> Result<u64, Failure> {
         match self.refined() {
             Some(mesh) => require_memory_of_mesh(scene, &self.how, mesh, options, ranks),
             None => self.need(scene, options, is_kept, ranks).require(),

@@ -17,7 +17,7 @@ use radiosity_scene::Scene;
 use radiosity_visibility::Visibility;
 use radiosity_work::ranks::Ranks;
 
-use super::direct::{DirectWay, Transfers};
+use super::direct::DirectWay;
 use super::emission::Emission;
 use super::options::Options;
 use crate::gather::direct_by_rays::DirectByRays;
@@ -137,23 +137,13 @@ impl FirstLight {
         self.way != DirectWay::Carried
     }
 
-    /// The first light of `emissions`.
-    pub(super) fn of(lit_scene: &LitScene<'_>, emissions: Vec<Emission>, transfers: Transfers) -> Self {
-        let LitScene { elements, visibility, options, .. } = *lit_scene;
-        let all: Vec<Emitters<'_>> = emissions.iter().map(|own| own.emitters(elements.list())).collect();
-        let way = match options.masks {
-            Some(_) => DirectWay::Split,
-            None => options.direct.way(&all, visibility, transfers),
-        };
-        Self::by(lit_scene, emissions, way)
-    }
-
     /// The first light of other `emissions`, known in the way of this one.
     pub(super) fn anew(&self, lit_scene: &LitScene<'_>, emissions: Vec<Emission>) -> Self {
         Self::by(lit_scene, emissions, self.way)
     }
 
-    fn by(lit_scene: &LitScene<'_>, emissions: Vec<Emission>, way: DirectWay) -> Self {
+    /// The first light of `emissions`, known in this way.
+    pub(super) fn by(lit_scene: &LitScene<'_>, emissions: Vec<Emission>, way: DirectWay) -> Self {
         let masks = masked_pairs(lit_scene, &emissions).map(Arc::new);
         let of = |emission| EmissionLight::of(lit_scene, emission, masks.clone(), way);
         let sources = emissions.iter().map(of).collect();

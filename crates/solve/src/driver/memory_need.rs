@@ -38,13 +38,12 @@ impl MemoryNeed<'_> {
         if self.is_kept { estimate.peak_with_kept() } else { estimate.peak() }
     }
 
-    /// Refuses a run that needs more memory than allowed.
-    pub(super) fn require(&self) -> Result<(), Failure> {
-        let Some(allowed) = self.options.memory else { return Ok(()) };
+    /// Refuses a run that needs more memory than allowed; else the bytes that it needs.
+    pub(super) fn require(&self) -> Result<u64, Failure> {
         let needed = self.peak();
-        if needed <= allowed {
-            return Ok(());
-        }
+        let Some(allowed) = self.options.memory.filter(|allowed| needed > *allowed) else {
+            return Ok(needed);
+        };
         let mut fits = Vec::new();
         if self.is_kept && (Self { is_kept: false, ..*self }).peak() <= allowed {
             fits.push(MemoryReduction::FreshFrames);
@@ -102,15 +101,17 @@ pub(super) fn peak_of_mesh(
     MemoryEstimate::of_sizes(scene, &mesh_sizes(scene, how, mesh), options.solver, ranks).peak()
 }
 
-/// Refuses a run on elements of a refined mesh that needs more memory than allowed.
+/// Refuses a run on elements of a refined mesh that needs more memory than allowed; else the bytes that it needs.
 pub(super) fn require_memory_of_mesh(
     scene: &Scene,
     how: &Discretization,
     mesh: &Mesh,
     options: &Options,
     ranks: &Ranks,
-) -> Result<(), Failure> {
-    let Some(allowed) = options.memory else { return Ok(()) };
+) -> Result<u64, Failure> {
     let needed = peak_of_mesh(scene, how, mesh, options, ranks);
-    if needed <= allowed { Ok(()) } else { Err(Failure::Memory { needed, allowed, fits: Vec::new() }) }
+    match options.memory {
+        Some(allowed) if needed > allowed => Err(Failure::Memory { needed, allowed, fits: Vec::new() }),
+        _ => Ok(needed),
+    }
 }

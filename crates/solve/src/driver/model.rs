@@ -15,7 +15,6 @@ use radiosity_elements::mesh::Mesh;
 use radiosity_kernel::Blocks;
 use radiosity_kernel::block_columns::ByColumn;
 use radiosity_light::first_bounce::DirectLightEntry;
-use radiosity_published::bases::Subspace;
 use radiosity_scene::Scene;
 use radiosity_solvers::method::Access;
 use radiosity_transport::ColumnsAsShot;
@@ -33,6 +32,7 @@ use crate::system::vector::distance;
 
 use super::assembly::carried;
 use super::band_systems::{BandSystems, SolvedLight};
+use super::cut_scene::CutScene;
 use super::decisions::{AssemblyPlan, Layout};
 use super::emission::Emission;
 use super::failure::Failure;
@@ -40,7 +40,8 @@ use super::first_light::EnteringLight;
 use super::kept_model::{KeptModel, WholeBlocks};
 use super::options::Options;
 use super::outcome::{FrameLight, Outcome, Stages, timed};
-use super::ready::{Ready, require_diffuse};
+use super::ready::Ready;
+use super::requirements::require_diffuse;
 use super::sampling::Sampling;
 use super::shooting::ColumnSource;
 use super::shots::ShotLimit;
@@ -149,7 +150,7 @@ impl Model {
         work: &Work<'_>,
     ) -> Result<Outcome, Failure> {
         let choice = Some(TransportChoice { sampled: false, why: why.to_owned() });
-        let plan = AssemblyPlan { choice, how: None, mesh };
+        let plan = AssemblyPlan { choice, mesh, ..AssemblyPlan::default() };
         options.in_threads(work.ranks, || Self::solution(scene, options, plan, work))?
     }
 
@@ -172,7 +173,8 @@ impl Model {
 
     /// The model of a scene that is ready, with all its blocks.
     fn carried(mut ready: Ready, mut kept: Option<&mut KeptModel>, work: &Work<'_>) -> Self {
-        let Ready { scene, options, elements, visibility, rays, first, .. } = &ready;
+        let Ready { cut, first, .. } = &ready;
+        let CutScene { scene, options, elements, visibility, rays, .. } = cut;
         let bands = &Emission::by_band(first.emissions());
         let entries = first.reflected(first.emissions()).expect("the emission is the same");
         let entries = &entries.into_iter().map(|own| own.entry).collect::<Vec<_>>();
@@ -187,12 +189,15 @@ impl Model {
             kept.as_deref_mut().and_then(|kept| kept.unchanged(&senders(scene), &|| subject.shares()));
         let found = || {
             if is_first {
-                work.report(Progress::Expected { stage: Stage::Blocks, seconds: ready.seconds_of_pairs() });
+                work.report(Progress::Expected {
+                    stage: Stage::Blocks,
+                    seconds: ready.cut.seconds_of_pairs(),
+                });
             }
             known.unwrap_or_else(|| carried(scene, &subject, *rays, kept))
         };
         let (blocks, sampling) = timed(&mut took, || work.during(Stage::Blocks, found));
-        ready.seconds.blocks = took;
+        ready.cut.seconds.blocks = took;
         Self { ready, blocks, sampling, is_bounded: true }
     }
 
@@ -214,23 +219,23 @@ impl Model {
     /// Shoots the light of a scene that is ready by columns that are integrated when they are first shot.
     fn shot(mut ready: Ready, work: &Work<'_>) -> Result<Outcome, Failure> {
         let mut took = Duration::ZERO;
-        let wanted = |a, b| ready.sends(a) || ready.sends(b);
-        let emissions = Emission::all(&ready.scene, ready.elements.list());
-        let first = ready.first_light(&ready.scene, &emissions, work.ranks);
-        work.report(Progress::Expected { stage: Stage::Blocks, seconds: ready.seconds_of_pairs() });
+        let wanted = |a, b| ready.cut.sends(a) || ready.cut.sends(b);
+        let emissions = Emission::all(&ready.cut.scene, ready.cut.elements.list());
+        let first = ready.first_light(&ready.cut.scene, &emissions, work.ranks);
+        work.report(Progress::Expected { stage: Stage::Blocks, seconds: ready.cut.seconds_of_pairs() });
         let columns = work.during(Stage::Blocks, || ColumnsAsShot::new(ready.demand(&wanted), *work));
         let source = ColumnSource { columns: &columns, before: columns.seconds(), all_first: None };
-        let shooter = ready.shooter(&ready.scene, &emissions, &first);
+        let shooter = ready.shooter(&ready.cut.scene, &emissions, &first);
         let shoot = || shooter.shot(source, &Unknowns::default(), work);
         let shot = timed(&mut took, || work.during(Stage::Solve, shoot))?;
         let integrated = columns.seconds();
         let before = source.before;
         let blocks = columns.into_blocks();
         let light = shooter.light(&shot, &blocks);
-        ready.seconds.blocks = integrated;
-        ready.seconds.solve = (before + took).saturating_sub(integrated);
-        let seconds = ready.seconds;
-        let scene = ready.scene.clone();
+        ready.cut.seconds.blocks = integrated;
+        ready.cut.seconds.solve = (before + took).saturating_sub(integrated);
+        let seconds = ready.cut.seconds;
+        let scene = ready.cut.scene.clone();
         let model = Self { ready, blocks, sampling: None, is_bounded: true };
         let light = SolvedLight::shot(light, shot);
         Ok(model.outcome(&scene, Entered { emissions, first }, light, seconds, work))
@@ -245,7 +250,7 @@ impl Model {
     /// solver that fails or does not converge, or threads that cannot be started.
     pub fn solve(&self, scene: &Scene, work: &Work<'_>) -> Result<Outcome, Failure> {
         self.check(scene)?;
-        self.ready.options.in_threads(work.ranks, || self.solved(scene, None, work))?
+        self.ready.cut.options.in_threads(work.ranks, || self.solved(scene, None, work))?
     }
 
     /// Solves as [`Model::solve`] for one of many scenes, the light of some of which is `known`: light that follows
@@ -260,7 +265,7 @@ impl Model {
         work: &Work<'_>,
     ) -> Result<Outcome, Failure> {
         self.check(scene)?;
-        self.ready.options.in_threads(work.ranks, || self.solved(scene, Some(known), work))?
+        self.ready.cut.options.in_threads(work.ranks, || self.solved(scene, Some(known), work))?
     }
 
     /// The light of `scene` as [`Model::solve`] finds it, beside `known` light as [`Model::solve_beside`] if there is
@@ -275,7 +280,7 @@ impl Model {
         work: &Work<'_>,
     ) -> Result<Solution, Failure> {
         self.check(scene)?;
-        self.ready.options.in_threads(work.ranks, || {
+        self.ready.cut.options.in_threads(work.ranks, || {
             let mut seconds = Stages::default();
             let solve = || self.entered(scene, known, &mut seconds, work);
             let (entered, SolvedLight { light, before, .. }) = work.during(Stage::Solve, solve)?;
@@ -285,13 +290,13 @@ impl Model {
 
     /// This model, to be solved by so many shots.
     pub(crate) fn with_shots(mut self, shots: Option<ShotLimit>) -> Self {
-        self.ready.options.shots = shots;
+        self.ready.cut.options.shots = shots;
         self
     }
 
     /// Solves systems to this tolerance from now on.
     pub fn set_tolerance(&mut self, tolerance: f64) {
-        self.ready.options.tolerance = tolerance;
+        self.ready.cut.options.tolerance = tolerance;
     }
 
     /// The model, whose self-checks bound no spectral radius from now on: it takes longer than many a solution.
@@ -302,7 +307,7 @@ impl Model {
 
     /// The elements of the model's surfaces.
     pub fn elements(&self) -> &Elements {
-        &self.ready.elements
+        &self.ready.cut.elements
     }
 
     /// The blocks between the elements.
@@ -312,13 +317,14 @@ impl Model {
 
     /// The visibility between the surfaces.
     pub fn visibility(&self) -> &Visibility {
-        &self.ready.visibility
+        &self.ready.cut.visibility
     }
 
     /// The visibility between the surfaces, when nothing else of the model is needed any more but what `kept`
     /// keeps for the next scene.
     pub(crate) fn into_visibility(self, kept: Option<&mut KeptModel>) -> Visibility {
-        let Self { ready: Ready { visibility, scene, .. }, blocks, sampling, .. } = self;
+        let Self { ready, blocks, sampling, .. } = self;
+        let CutScene { visibility, scene, .. } = ready.cut;
         if let Some(kept) = kept {
             kept.keep(WholeBlocks { senders: senders(&scene), blocks, sampling });
         }
@@ -332,10 +338,10 @@ impl Model {
 
     /// Refuses a scene of other surfaces, and light from surfaces whose blocks were left out.
     fn check(&self, scene: &Scene) -> Result<(), Failure> {
-        require_diffuse(scene, &self.ready.options)?;
-        let (own, given) = (&self.ready.scene.surfaces, &scene.surfaces);
+        require_diffuse(scene, &self.ready.cut.options)?;
+        let (own, given) = (&self.ready.cut.scene.surfaces, &scene.surfaces);
         let names = || given.iter().chain(own).map(|surface| surface.name.clone());
-        if own.len() != given.len() || self.ready.scene.bands != scene.bands {
+        if own.len() != given.len() || self.ready.cut.scene.bands != scene.bands {
             return Err(Failure::OtherSurface { surface: names().next_back().unwrap_or_default() });
         }
         for (own, given) in own.iter().zip(given) {
@@ -355,7 +361,7 @@ impl Model {
         known: Option<&mut KnownLight>,
         work: &Work<'_>,
     ) -> Result<Outcome, Failure> {
-        let mut seconds = self.ready.seconds;
+        let mut seconds = self.ready.cut.seconds;
         let solve = || self.entered(scene, known, &mut seconds, work);
         let (entered, light) = work.during(Stage::Solve, solve)?;
         Ok(self.outcome(scene, entered, light, seconds, work))
@@ -369,7 +375,7 @@ impl Model {
         seconds: &mut Stages,
         work: &Work<'_>,
     ) -> Result<(Entered, SolvedLight), Failure> {
-        let emissions = Emission::all(scene, self.ready.elements.list());
+        let emissions = Emission::all(scene, self.ready.cut.elements.list());
         let mut again = Duration::ZERO;
         let first = timed(&mut again, || self.ready.first_light(scene, &emissions, work.ranks));
         seconds.direct += again;
@@ -386,9 +392,9 @@ impl Model {
 
     /// Whether G carries all light between functions of the elements, and systems are solved for it.
     fn is_all_carried(&self, first: &[EnteringLight]) -> bool {
-        let Options { bounces, solver, .. } = self.ready.options;
+        let Options { bounces, solver, .. } = self.ready.cut.options;
         let are_solved =
-            bounces.is_none() && solver.access != Access::Columns && self.ready.subspace.is_none();
+            bounces.is_none() && solver.access != Access::Columns && self.ready.cut.subspace.is_none();
         are_solved && first.iter().all(|own| matches!(own.entry, DirectLightEntry::Carried))
     }
 
@@ -398,14 +404,14 @@ impl Model {
     /// # Errors
     /// As [`Model::solve`].
     pub(crate) fn frame_light(&self, before: &Unknowns, work: &Work<'_>) -> Result<FrameLight, Failure> {
-        self.ready.options.in_threads(work.ranks, || self.found_from(before, work))?
+        self.ready.cut.options.in_threads(work.ranks, || self.found_from(before, work))?
     }
 
     fn found_from(&self, before: &Unknowns, work: &Work<'_>) -> Result<FrameLight, Failure> {
-        let scene = &self.ready.scene;
-        let emissions = Emission::all(scene, self.ready.elements.list());
+        let scene = &self.ready.cut.scene;
+        let emissions = Emission::all(scene, self.ready.cut.elements.list());
         let first = self.ready.first_light(scene, &emissions, work.ranks);
-        let mut seconds = self.ready.seconds;
+        let mut seconds = self.ready.cut.seconds;
         let solve = || self.light(scene, &emissions, &first, before, work);
         let light = timed(&mut seconds.solve, || work.during(Stage::Solve, solve))?;
         let (entered, light) = self.through_masks(scene, Entered { emissions, first }, light, work)?;
@@ -432,8 +438,8 @@ impl Model {
         before: &Unknowns,
         work: &Work<'_>,
     ) -> Result<SolvedLight, Failure> {
-        let (bands, options) = (self.bands(scene), &self.ready.options);
-        let shoots = options.solver.access == Access::Columns && self.ready.subspace.is_none();
+        let (bands, options) = (self.bands(scene), &self.ready.cut.options);
+        let shoots = options.solver.access == Access::Columns && self.ready.cut.subspace.is_none();
         match options.bounces {
             None if shoots => self.shot_from_all(scene, emissions, first, before, work),
             None => bands.solved(emissions, first, before, work),
@@ -453,7 +459,7 @@ impl Model {
         mut light: SolvedLight,
         work: &Work<'_>,
     ) -> Result<(Entered, SolvedLight), Failure> {
-        let options = &self.ready.options;
+        let options = &self.ready.cut.options;
         let is_partial = options.bounces.is_some() || options.shots.is_some();
         if is_partial || !entered.first.iter().any(EnteringLight::is_reflected) {
             return Ok((entered, light));
@@ -489,7 +495,7 @@ impl Model {
         let columns = ByColumn::of(&all);
         let why = self.ready.all_first(work.ranks).unwrap_or("other light is solved for by them, too");
         let source =
-            ColumnSource { columns: &columns, before: self.ready.seconds.blocks, all_first: Some(why) };
+            ColumnSource { columns: &columns, before: self.ready.cut.seconds.blocks, all_first: Some(why) };
         let shooter = self.ready.shooter(scene, emissions, first);
         let shot = shooter.shot(source, before, work)?;
         Ok(SolvedLight::shot(shooter.light(&shot, &self.blocks), shot))
@@ -518,7 +524,7 @@ impl Model {
         let SolvedLight { light, before, costs, functionals, shots, .. } = light;
         let slowest = costs.iter().max_by_key(|cost| cost.iterations);
         let (solver, iterations) =
-            slowest.map_or((self.ready.options.solver.name, 0), |cost| (cost.solver, cost.iterations));
+            slowest.map_or((self.ready.cut.options.solver.name, 0), |cost| (cost.solver, cost.iterations));
         let solution = self.solution_of(scene, entered, light, before);
         let powers = solution.powers().unwrap_or_default();
         let residual = solution.residual();
@@ -541,8 +547,8 @@ impl Model {
             residual,
             split: self.ready.first.is_apart(),
             converged: costs.iter().all(|cost| cost.converged),
-            choice: self.ready.choice.clone(),
-            unknowns: self.unknowns(),
+            choice: self.ready.cut.choice.clone(),
+            unknowns: self.ready.cut.unknowns(),
             functionals,
             sampling: self.sampling,
             links: None,
@@ -563,27 +569,22 @@ impl Model {
         let groups = self.groups(emissions, first, light);
         let before = before.map(|light| lit_before(&groups, light));
         let before =
-            before.map(|groups| Solution::of_groups(Arc::clone(&self.ready.elements), scene, groups));
-        let solution = Solution::of_groups(Arc::clone(&self.ready.elements), scene, groups);
-        match self.ready.options.bounces {
+            before.map(|groups| Solution::of_groups(Arc::clone(&self.ready.cut.elements), scene, groups));
+        let solution = Solution::of_groups(Arc::clone(&self.ready.cut.elements), scene, groups);
+        match self.ready.cut.options.bounces {
             Some(_) => solution.truncated(before),
             None => solution,
         }
     }
 
-    /// Number of coefficients per band.
-    fn unknowns(&self) -> usize {
-        self.ready.subspace.as_ref().map_or_else(|| self.ready.elements.coefficients(), Subspace::dim)
-    }
-
     fn bands<'a>(&'a self, scene: &'a Scene) -> BandSystems<'a> {
-        let (elements, subspace) = (self.ready.elements.list(), self.ready.subspace.as_ref());
+        let (elements, subspace) = (self.ready.cut.elements.list(), self.ready.cut.subspace.as_ref());
         BandSystems {
             names: &scene.bands,
             elements,
             blocks: &self.blocks,
             subspace,
-            options: &self.ready.options,
+            options: &self.ready.cut.options,
         }
     }
 
@@ -594,10 +595,10 @@ impl Model {
         first: Vec<EnteringLight>,
         light: Vec<Vec<Coefficients>>,
     ) -> Vec<GroupLight> {
-        let elements = &self.ready.elements;
+        let elements = &self.ready.cut.elements;
         let balance = Balance::of(elements, &self.blocks);
         let lit = emissions.into_iter().zip(first).zip(light);
-        let is_ambient = self.ready.options.shots.is_some_and(|shots| shots.ambient);
+        let is_ambient = self.ready.cut.options.shots.is_some_and(|shots| shots.ambient);
         let group = |((emission, first), light): ((Emission, EnteringLight), Vec<Coefficients>)| {
             let bands = light.iter().zip(&emission.coatings).filter(|_| is_ambient);
             let around = bands.map(|(own, coating)| {

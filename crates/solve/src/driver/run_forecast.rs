@@ -1,13 +1,14 @@
 //! The forecast of a solution, for people who choose how to solve: its elements are cut, and nothing else is made.
 
 use radiosity_scene::Scene;
+use radiosity_work::Work;
 use radiosity_work::ranks::Ranks;
 
+use super::cut_scene::CutScene;
 use super::decisions::AssemblyPlan;
+use super::direct_price::seconds_of_direct;
 use super::failure::Failure;
-use super::forecast::seconds_of_pairs;
 use super::options::Options;
-use super::ready::{elements, require_diffuse};
 
 /// The forecast of a solution, by counts of its elements, pairs and rays.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -18,30 +19,42 @@ pub struct RunForecast {
     pub elements: usize,
     /// Unknowns of each band.
     pub unknowns: usize,
-    /// The forecast of its transfers: seconds of [`radiosity_work::FORECAST_THREADS`] threads of the machine of the
-    /// prices, which [`radiosity_work::Machine::seconds`] makes those of this one.
-    pub transfers: f64,
+    /// The forecast of its direct light and transfers: seconds of [`radiosity_work::FORECAST_THREADS`] threads of the
+    /// machine of the prices, which [`radiosity_work::Machine::seconds`] makes those of this one.
+    pub seconds: f64,
     /// Bytes that it takes at the most, on each rank.
     pub bytes: u64,
 }
 
 impl RunForecast {
-    /// The forecast of the solution of `scene` with these options.
+    /// The forecasts of solutions of `scene` in these ways, whatever memory they are allowed; its obstacles are found
+    /// once.
     ///
     /// # Errors
     /// Options that the scene does not allow, or a scene that cannot be cut into elements.
-    pub fn of(scene: &Scene, options: &Options, ranks: &Ranks) -> Result<Self, Failure> {
-        options.in_threads(ranks, || {
-            require_diffuse(scene, options)?;
-            let decisions = AssemblyPlan::default().decided(scene, options, None);
-            let own = elements(scene, &decisions, None)?;
-            Ok(Self {
-                rays: decisions.rays,
-                elements: own.list().len(),
-                unknowns: own.coefficients(),
-                transfers: seconds_of_pairs(scene, &own, &decisions.visibility, decisions.rays),
-                bytes: decisions.peak_memory(scene, options, ranks),
-            })
-        })?
+    pub fn all(scene: &Scene, ways: &[Options], work: &Work<'_>) -> Result<Vec<Self>, Failure> {
+        let mut visibility = None;
+        let mut of = |options: &Options| {
+            let options = Options { memory: None, ..*options };
+            let plan = AssemblyPlan { visibility: visibility.take(), ..AssemblyPlan::default() };
+            let cut =
+                options.in_threads(work.ranks, || CutScene::of(scene, &options, plan, None, work))??;
+            let forecast = Self::of(&cut, work.ranks);
+            visibility = Some(cut.visibility);
+            Ok(forecast)
+        };
+        ways.iter().map(&mut of).collect()
+    }
+
+    fn of(cut: &CutScene, ranks: &Ranks) -> Self {
+        let emissions = cut.emissions();
+        let direct = seconds_of_direct(&cut.lit_scene(ranks), &emissions, cut.direct_way(&emissions));
+        Self {
+            rays: cut.rays,
+            elements: cut.elements.list().len(),
+            unknowns: cut.unknowns(),
+            seconds: direct + cut.seconds_of_pairs(),
+            bytes: cut.bytes.unwrap_or_default(),
+        }
     }
 }

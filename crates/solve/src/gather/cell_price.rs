@@ -13,8 +13,6 @@ use radiosity_elements::Element;
 use radiosity_light::emitters::Emitters;
 use radiosity_visibility::Visibility;
 
-use crate::solution::Solution;
-
 /// Points of an element whose light is tabulated for this accuracy, and the power of the accuracy by which they and
 /// their light take longer.
 const NODES: f64 = 100.0;
@@ -43,19 +41,19 @@ const MOST_CURVED: f64 = 32.0;
 
 /// Seconds of gathering by cells.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct CellPrice {
+pub(crate) struct CellPrice {
     /// For the tables of all elements.
-    pub(super) once: f64,
+    pub(crate) once: f64,
     /// For each point.
-    pub(super) point: f64,
+    pub(crate) point: f64,
 }
 
 impl CellPrice {
-    /// The price of the light of `solution`, gathered `twice` or once to the relative accuracy `eps`.
-    pub(super) fn of(solution: &Solution, visibility: &Visibility, eps: f64, twice: bool) -> Self {
-        let about = Things::about(solution, visibility);
-        let list = solution.elements().list();
-        let direct = about.seconds_of_direct(solution);
+    /// The price of the light of `sources`, gathered `twice` or once to the relative accuracy `eps`.
+    pub(crate) fn of(sources: &Emitters<'_>, visibility: &Visibility, eps: f64, twice: bool) -> Self {
+        let about = Things::about(visibility);
+        let list = sources.elements;
+        let direct = about.seconds_of_direct(sources);
         let reflected: f64 =
             list.iter().filter(|element| element.contact.is_none()).map(|own| about.seconds_of(own)).sum();
         let nodes = NODES * list.len() as f64 * (AT / eps).powf(POWER);
@@ -64,8 +62,8 @@ impl CellPrice {
     }
 
     /// Seconds of the direct light of a point.
-    pub(super) fn of_direct(solution: &Solution, visibility: &Visibility) -> f64 {
-        Things::about(solution, visibility).seconds_of_direct(solution)
+    pub(crate) fn of_direct(sources: &Emitters<'_>, visibility: &Visibility) -> f64 {
+        Things::about(visibility).seconds_of_direct(sources)
     }
 }
 
@@ -77,10 +75,9 @@ struct Things {
 }
 
 impl Things {
-    fn about(solution: &Solution, visibility: &Visibility) -> Self {
-        let surfaces = 0..solution.elements().surfaces();
+    fn about(visibility: &Visibility) -> Self {
         let (mut all, mut curved) = (0.0, 0.0);
-        for surface in surfaces.filter(|surface| visibility.stands(*surface)) {
+        for surface in visibility.standing() {
             all += 1.0;
             curved += if visibility.pieces(surface).is_none() { 1.0 } else { 0.0 };
         }
@@ -88,10 +85,9 @@ impl Things {
     }
 
     /// Seconds of the direct light of a point.
-    fn seconds_of_direct(&self, solution: &Solution) -> f64 {
-        let list = solution.elements().list();
-        let shines = |index: &usize| solution.bands().iter().any(|band| band.coating.exitance[*index] > 0.0);
-        let Emitters { radiances, points, .. } = solution.emitters();
+    fn seconds_of_direct(&self, sources: &Emitters<'_>) -> f64 {
+        let Emitters { elements: list, coatings, radiances, points } = sources;
+        let shines = |index: &usize| coatings.iter().any(|coating| coating.exitance[*index] > 0.0);
         let of_lamp = |index: usize| match list[index].plane {
             _ if points.has_sun() && radiances.is_graded(list[index].surface) => SUNLIT_OPENING,
             Some(_) => FLAT_LAMP + FLAT_LAMP_BEHIND * self.curved,

@@ -214,8 +214,8 @@ impl GatherMethod {
         points: f64,
         twice: bool,
     ) -> Gathering<'a> {
-        let is_direct_by_cells =
-            CHEAPER * CellPrice::of_direct(solution, visibility) <= RAY * usual_rays(rougher * eps);
+        let is_direct_by_cells = CHEAPER * CellPrice::of_direct(&solution.emitters(), visibility)
+            <= RAY * usual_rays(rougher * eps);
         let met = LazyCell::new(|| Arc::new(MetLight::of(solution, visibility)));
         let by_rays = |beyond| {
             let rays = RayGather::of(Arc::clone(&met), rougher * eps, beyond);
@@ -254,7 +254,7 @@ impl GatherMethod {
         // Rays always meet what stands in their way, and know no masks.
         let is_plain = visibility.casts() && solution.masked().is_none();
         let is_cheaper = || {
-            let cells = CellPrice::of(solution, visibility, by_cells, twice);
+            let cells = CellPrice::of(&solution.emitters(), visibility, by_cells, twice);
             seconds_of_rays(solution, by_rays, twice) < cells.point + cells.once / points
         };
         match self {
@@ -321,7 +321,7 @@ impl GatherMethod {
         if self.rays(solution, visibility, by_cells, by_rays, together, twice) {
             return points * seconds_of_rays(solution, by_rays, twice);
         }
-        let cells = CellPrice::of(solution, visibility, by_cells, twice);
+        let cells = CellPrice::of(&solution.emitters(), visibility, by_cells, twice);
         cells.once + points * cells.point
     }
 }

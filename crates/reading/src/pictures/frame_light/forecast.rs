@@ -17,10 +17,10 @@ use crate::pictures::picture_light::{DirectIrradiance, PictureLight};
 use super::direct_pass::STEP;
 
 /// Runs of places beside each other at which direct light is computed, places of each, and places of all at which
-/// light is gathered, half of them where it is uneven. Chosen: a thousandth of a picture.
+/// light is gathered. Chosen: a thousandth of a picture.
 const RUNS: usize = 16;
 const RUN: usize = 16;
-const GATHERED: usize = 64;
+const GATHERED: usize = 128;
 
 /// Places of all by which it is found how many each surface has. Chosen: a millisecond.
 const GLANCES: usize = 1024;
@@ -186,15 +186,9 @@ impl<'a> Trial<'a> {
         self.glances.by_surface.iter().map(|own| of_surface(self.glances.places(own))).sum()
     }
 
-    /// Rays that gather the reflected light of a spot, in the mean over some: of each surface as many as it has spots,
-    /// and half as many where direct light is uneven.
+    /// Rays that gather the reflected light of a spot, in the mean over some: of each surface as many as it has spots.
     fn rays_of_spot(&self) -> f64 {
-        let is_uneven =
-            |place: &usize| self.seen[*place].is_some() && Self::has_end(*place) && !self.goes_on(*place);
-        let uneven: Vec<usize> = (0..self.seen.len()).filter(is_uneven).collect();
-        let step = (2 * uneven.len() / GATHERED).max(1);
-        let uneven = uneven.iter().step_by(step).filter_map(|place| self.seen[*place].as_ref());
-        let chosen: Vec<&SeenPlace> = self.glances.some(GATHERED).into_iter().chain(uneven).collect();
+        let chosen = self.glances.some(GATHERED);
         let rays = |seen: &&SeenPlace| {
             let direct = self.light.direct(seen, None, FIRST);
             with_rays(|| self.light.rest(seen, &direct.bands, 1.0)).1
