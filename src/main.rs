@@ -3,6 +3,13 @@
 //! Data goes to stdout, progress and diagnostics to stderr. Exit code 0: done; 1: failed; 2: the command line
 //! or a scene file has to be changed first.
 
+#[cfg(feature = "mpi")]
+mod processes;
+
 fn main() -> std::process::ExitCode {
-    radiosity_cli::launch()
+    #[cfg(feature = "mpi")]
+    let connect = Some(processes::connect as _);
+    #[cfg(not(feature = "mpi"))]
+    let connect = None;
+    radiosity_cli::launch::launch(connect)
 }

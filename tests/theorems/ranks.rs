@@ -228,9 +228,9 @@ fn a_run_goes_on_from_its_journal() {
 /// The end of a run to a wanted accuracy, as text, and the pieces that it took from its journal.
 fn to_accuracy(folder: &Path, begin: Begin, deadline: Option<&Deadline>) -> (String, Checkpoint) {
     let ranks = Ranks::alone().recording(folder, 1, begin).expect("a folder");
-    let goal = Goal::new(2e-3, Aim::Gathered);
+    let goal = Goal::new(1e-3, Aim::Gathered);
     let work = Work { deadline, ..Work::among(&ranks) };
-    let solved = Solved::to_accuracy(builtin("two-boxes"), &options(), &goal, &work).expect("a solution");
+    let solved = Solved::to_accuracy(builtin("empty-box"), &options(), &goal, &work).expect("a solution");
     (told(&solved), Checkpoint::so_far(&ranks).expect("it is kept"))
 }
 

@@ -3,7 +3,6 @@
 //! `mpirun`, `srun` and the like tell each process by variables that it was started with others. Without them
 //! nothing of MPI is begun.
 
-#[cfg(feature = "mpi")]
 use std::env::args_os;
 use std::env::var;
 use std::io::{Write, stderr};
@@ -11,22 +10,31 @@ use std::process::ExitCode;
 
 use radiosity_work::printable::printable_lines;
 use radiosity_work::ranks::Ranks;
-#[cfg(feature = "mpi")]
 use radiosity_work::ranks::failure::Failure;
 
-#[cfg(feature = "mpi")]
-use crate::processes::World;
 use crate::{Cli, CliError};
 
 /// Variables of which one holds the number of a process: set by Open MPI, by PMI (MPICH and what is made of
 /// it), by PMIx.
 const NUMBERS: [&str; 3] = ["OMPI_COMM_WORLD_RANK", "PMI_RANK", "PMIX_RANK"];
 
-/// Runs the command line, and says why where it fails.
-pub fn launch() -> ExitCode {
-    match NUMBERS.iter().find_map(|name| var(name).ok()) {
-        Some(number) => among_others(&number),
-        None => alone(),
+/// The work of one rank.
+pub type RankWork<'a> = dyn Fn(&Ranks) -> Result<(), Failure> + 'a;
+
+/// Says why all ranks end.
+pub type Tell<'a> = dyn Fn(&str) + 'a;
+
+/// Does work on the ranks of all processes that were started together, and says why where it fails; None where
+/// they cannot be connected again. The program that knows of MPI has one.
+pub type Connect = fn(&RankWork<'_>, &Tell<'_>) -> Option<ExitCode>;
+
+/// Runs the command line, on several ranks where `connect` is there and others were started, and says why where
+/// it fails.
+pub fn launch(connect: Option<Connect>) -> ExitCode {
+    match (NUMBERS.iter().find_map(|name| var(name).ok()), connect) {
+        (Some(_), Some(connect)) => among_others(connect),
+        (Some(number), None) => refuse_others(&number),
+        (None, _) => alone(),
     }
 }
 
@@ -51,9 +59,7 @@ fn tell(error: &CliError) {
 }
 
 /// Runs the command line on all ranks.
-#[cfg(feature = "mpi")]
-fn among_others(_number: &str) -> ExitCode {
-    let Some(world) = World::join() else { return alone() };
+fn among_others(connect: Connect) -> ExitCode {
     let work = |ranks: &Ranks| {
         // Nobody has begun threads before.
         drop(rayon::ThreadPoolBuilder::new().num_threads(ranks.machine_share().threads).build_global());
@@ -69,11 +75,11 @@ fn among_others(_number: &str) -> ExitCode {
             code => Err(Failure { code, message }),
         }
     };
-    world.run(work, |message| drop(stderr().write_all(printable_lines(message).as_bytes())))
+    let tell = |message: &str| drop(stderr().write_all(printable_lines(message).as_bytes()));
+    connect(&work, &tell).unwrap_or_else(alone)
 }
 
 /// Refuses ranks that were started to do different things: they would wait for each other.
-#[cfg(feature = "mpi")]
 fn same_arguments(ranks: &Ranks) -> Result<(), Failure> {
     let own: Vec<String> =
         args_os().skip(1).map(|argument| argument.to_string_lossy().into_owned()).collect();
@@ -86,8 +92,7 @@ fn same_arguments(ranks: &Ranks) -> Result<(), Failure> {
 }
 
 /// Refuses to run one command several times.
-#[cfg(not(feature = "mpi"))]
-fn among_others(number: &str) -> ExitCode {
+fn refuse_others(number: &str) -> ExitCode {
     /// Variables of which one holds the number of processes; that of Slurm is for steps that it starts
     /// itself, by PMIx.
     const COUNTS: [&str; 3] = ["OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "SLURM_STEP_NUM_TASKS"];

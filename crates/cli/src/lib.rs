@@ -5,10 +5,11 @@
 //! `ledger` and `progress` of long work; `loaded` (a scene as it was read) and `run` (the scene solved, for
 //! every verb that needs light), and what verbs read from and print to (`read` to `plan`); the verbs, from
 //! `grid`, `probe`, `audit`, `solve` and `relight` over `render`, `animate`, `convergence`, `check`,
-//! `scenes`, `schema` and `convert` to `view_factors`, `heat` and `report`; `rounds` and `processes` (ranks
-//! that MPI connects), and `launch` (one process, or several ranks).
+//! `scenes`, `schema` and `convert` to `view_factors`, `heat` and `report`; `rounds` (of messages between
+//! processes), and `launch` (one process, or several ranks).
 //!
-//! The only noun outside is [`launch`], which the binary calls.
+//! The binary calls [`launch::launch`], and connects processes by MPI, with [`rounds`]: so a program with MPI
+//! has this crate as one without it.
 //!
 //! Imports `geom`, `solvers`, `work`, `photometry`, `formats`, `scene`, `language`, `audit`, `visibility`,
 //! `elements`, `kernel`, `transport`, `published`, `solve`, `reading`, `heat`, `output` and `request`.
@@ -60,11 +61,8 @@ mod transfers;
 mod view_factors;
 mod heat;
 mod report;
-#[cfg(any(test, feature = "mpi"))]
-mod rounds;
-#[cfg(feature = "mpi")]
-mod processes;
-mod launch;
+pub mod rounds;
+pub mod launch;
 #[cfg(test)]
 mod documented;
 
@@ -72,7 +70,6 @@ use aim::joined;
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 
 pub(crate) use error::CliError;
-pub use launch::launch;
 use loaded::Loaded;
 use options::fixing;
 use radiosity_work::ranks::Ranks;

@@ -4,7 +4,7 @@ use std::ops::Range;
 
 /// Rounds in which messages of these lengths travel, where a round moves `most` entries in all: for each
 /// round the part of every message that travels in it. All messages get the same room.
-pub(super) fn rounds(lengths: &[usize], most: usize) -> Vec<Vec<Range<usize>>> {
+pub fn rounds(lengths: &[usize], most: usize) -> Vec<Vec<Range<usize>>> {
     if lengths.iter().sum::<usize>() <= most {
         return vec![lengths.iter().map(|length| 0..*length).collect()];
     }
@@ -14,12 +14,12 @@ pub(super) fn rounds(lengths: &[usize], most: usize) -> Vec<Vec<Range<usize>>> {
 }
 
 /// Number of entries of each of so many messages that travel in a round.
-pub(super) fn room(messages: usize, most: usize) -> usize {
+pub fn room(messages: usize, most: usize) -> usize {
     (most / messages.max(1)).max(1)
 }
 
 /// The part of each message that travels in a round.
-pub(super) fn parts(lengths: &[usize], room: usize, round: usize) -> Vec<Range<usize>> {
+pub fn parts(lengths: &[usize], room: usize, round: usize) -> Vec<Range<usize>> {
     let part = |length: &usize| (round * room).min(*length)..((round + 1) * room).min(*length);
     lengths.iter().map(part).collect()
 }

@@ -89,7 +89,7 @@ fn look(random: &mut Random, case: usize, curved: bool) -> Result<Found, String>
     fs::write(&kept, &text).expect("the scene is kept");
     let scene =
         radiosity::language::read(&Source::new("interior", &text)).map_err(|error| error.to_string())?;
-    let count = if curved { 8 } else { 30 };
+    let count = if curved { 4 } else { 30 };
     let sensors = sensors(random, &interior, count, writing.least());
     let (furnace, at) = furnace(&scene, &writing, &sensors)?;
     let (row, of) = rows(&scene)?;

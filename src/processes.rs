@@ -17,6 +17,7 @@ use mpi::environment::Universe;
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::Communicator;
 use mpi::{Threading, initialize_with_threading};
+use radiosity_cli::launch::{RankWork, Tell};
 use radiosity_work::ranks::comm::Comm;
 use radiosity_work::ranks::failure::Failure;
 use radiosity_work::ranks::machine_share::{MachineShare, allowed};
@@ -29,7 +30,7 @@ use messages::{all_gather, complete, exchange};
 const PATIENCE: Duration = Duration::from_secs(3);
 
 /// The processes of this run, until it is dropped.
-pub(crate) struct World {
+struct World {
     processes: Processes,
     /// Ends MPI when it is dropped.
     _universe: Universe,
@@ -48,12 +49,18 @@ struct Processes {
 /// Unwinds a rank where another has failed.
 struct Ended(Failure);
 
+/// Does `work` on all processes that MPI connects, as [`World::run`]; None where MPI began before in this
+/// process.
+pub(crate) fn connect(work: &RankWork<'_>, tell: &Tell<'_>) -> Option<ExitCode> {
+    World::join().map(|world| world.run(work, tell))
+}
+
 impl World {
     /// Begins MPI; None where it began before in this process.
     ///
     /// # Panics
     /// If this MPI allows calls from the main thread only.
-    pub(crate) fn join() -> Option<Self> {
+    fn join() -> Option<Self> {
         let (universe, threading) = initialize_with_threading(Threading::Serialized)?;
         assert!(threading >= Threading::Serialized, "this MPI takes calls from the main thread only");
         let world = universe.world();
@@ -70,11 +77,7 @@ impl World {
     /// Does `work` on all ranks, and returns the exit code of all of them: where one fails, all do, within
     /// seconds. `tell` says why, on one of them. A panic counts as a failure; it is not printed where it
     /// happens.
-    pub(crate) fn run(
-        self,
-        work: impl FnOnce(&Ranks) -> Result<(), Failure>,
-        tell: impl Fn(&str),
-    ) -> ExitCode {
+    fn run(self, work: &RankWork<'_>, tell: &Tell<'_>) -> ExitCode {
         let noted: Arc<Mutex<Option<String>>> = Arc::default();
         let note = Arc::clone(&noted);
         set_hook(Box::new(move |panic| {
@@ -87,14 +90,14 @@ impl World {
                 Err(payload) => Err(Failure::of_panic(&*payload, locked(&noted).take())),
             },
         };
-        match self.processes.end(own.err(), &tell) {
+        match self.processes.end(own.err(), tell) {
             Some(failure) => self.report_failure(&failure, tell),
             None => ExitCode::SUCCESS,
         }
     }
 
     /// Says why all ranks end, on the first.
-    fn report_failure(&self, failure: &Failure, tell: impl Fn(&str)) -> ExitCode {
+    fn report_failure(&self, failure: &Failure, tell: &Tell<'_>) -> ExitCode {
         if self.processes.rank == 0 {
             tell(&failure.message);
         }
@@ -137,7 +140,7 @@ impl Processes {
     }
 
     /// Ends together with all ranks: with the failure `own`, or with that of another rank.
-    fn end(&self, own: Option<Failure>, tell: &impl Fn(&str)) -> Option<Failure> {
+    fn end(&self, own: Option<Failure>, tell: &Tell<'_>) -> Option<Failure> {
         let calls = *locked(&self.calls) + 1;
         let world = SimpleCommunicator::world();
         let Some(own) = own else {

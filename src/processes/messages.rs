@@ -7,9 +7,8 @@ use mpi::collective::SystemOperation;
 use mpi::datatype::{Partition, PartitionMut};
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::{Communicator, CommunicatorCollectives, Equivalence};
+use radiosity_cli::rounds::{parts, room, rounds};
 use radiosity_work::ranks::shares;
-
-use crate::rounds::{parts, room, rounds};
 
 /// Most entries that a call of MPI moves.
 const MOST: usize = Count::MAX as usize;
