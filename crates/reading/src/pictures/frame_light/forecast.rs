@@ -79,7 +79,7 @@ struct Trial<'a> {
     light: &'a PictureLight<'a>,
     /// Number of all places.
     places: f64,
-    /// What some of them see.
+    /// Some of them, by the surfaces that they see.
     glances: Glances,
     seen: Vec<Option<SeenPlace>>,
     direct: Vec<DirectIrradiance>,
