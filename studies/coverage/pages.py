@@ -3,9 +3,10 @@ places. See README.md.
 
     python pages.py SCENE PAGE.html --surface floor [--rows 3] [--eps 1e-3] [--command radiosity]
 
-Whole rows of texels of a flat quadrilateral are read as crates/output/src/documents/viewer/data.js reads them. It prints the
-rms of the relative differences, the largest, and the differences' steps from each texel to the next one: a joint in
-the page is a step that the gathered light lacks. Texels at the border, where another surface may touch, are left out.
+Whole rows of texels of a flat quadrilateral are read as crates/output/src/documents/viewer/data.js reads
+them. It prints the rms of the relative differences, the largest, and the differences' steps from each texel to the next
+one: a joint in the page is a step that the gathered light lacks. Texels whose reading is told to err by 0.5 % and more
+are left out; so are those at the border, where another surface may touch.
 """
 
 import argparse
@@ -18,6 +19,12 @@ import struct
 import subprocess
 import tempfile
 import zlib
+
+# Error that is told of a reading, over itself, up to which texels are held to it.
+KNOWN = 5e-3
+
+# Part of the largest irradiance up to which something stands on a place.
+DARK = 1e-3
 
 
 def script(page, name):
@@ -91,20 +98,27 @@ def gathered(args, place, texels):
         command = [args.command, "probe", args.scene, "--points", f"{here}/points.csv", "-o", f"{here}/table.json"]
         subprocess.run([*command, "--read-eps", str(args.eps), "--read-by", "cells"], check=True, capture_output=True)
         with open(f"{here}/table.json") as table:
-            return [point["irradiance"][0] for point in json.load(table)["points"]]
+            readings = json.load(table)["points"]
+    dark = DARK * max(rms(reading["irradiance"]) for reading in readings)
+    return [known(reading, dark) for reading in readings]
+
+
+def known(reading, dark):
+    """Irradiance of a reading in the first band, None below what stands there, or where it is not known."""
+    size = rms(reading["irradiance"])
+    return reading["irradiance"][0] if size > dark and reading["error"] < KNOWN * size else None
 
 
 def differences(args, place, grid):
     """Relative differences of whole rows of texels from what is gathered, row by row, where
-    it is not dark: below what stands on the surface."""
+    these are known."""
     rows, columns = len(grid), len(grid[0])
     chosen = [round((k + 1) * (rows - 1) / (args.rows + 1)) for k in range(args.rows)]
     inner = range(1, columns - 1)
     texels = [(2 * i / (columns - 1) - 1, 2 * j / (rows - 1) - 1) for j in chosen for i in inner]
     right = iter(gathered(args, place, texels))
     rows = [[(grid[j][i], next(right)) for i in inner] for j in chosen]
-    lit = 1e-3 * max(there for row in rows for _, there in row)
-    return [[shown / there - 1 for shown, there in row if there > lit] for row in rows]
+    return [[shown / there - 1 for shown, there in row if there is not None] for row in rows]
 
 
 def rms(values):
