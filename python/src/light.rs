@@ -126,7 +126,8 @@ impl Light {
         let is_wanted = sensors.tell_errors || asked.check.audit.is_some();
         let effort = is_wanted.then(|| self.effort(asked, readings.len())).flatten();
         let found = self.judged(effort, readings.len(), printed, &work);
-        let own = |reading: &ProbeReading| own.of_reading(&reading.irradiance, reading.deviation);
+        let own =
+            |reading: &ProbeReading| own.of_reading(&reading.irradiance, reading.deviation, reading.doubt);
         Ok(Told::of(readings, own, found))
     }
 
@@ -140,7 +141,7 @@ impl Light {
         let own = self.found.own_error(&self.options, &asked.how);
         let printed = |number: usize| PrintedReading::of_cell(&cells[number], sides, scene, &own);
         let found = self.judged(self.effort(asked, cells.len()), cells.len(), printed, &work);
-        Told::of(cells, |cell| own.of_reading(&cell.irradiance, cell.deviation), found)
+        Told::of(cells, |cell| own.of_reading(&cell.irradiance, cell.deviation, cell.doubt), found)
     }
 
     /// How much of so many readings is checked.
