@@ -7,9 +7,8 @@
 //! ```
 //!
 //! and p r for each node and each luminaire, with the prices r of a ray ([`super::forecast`]) and a, b of a point by
-//! cells ([`CellPrice`]). Measured in fourteen scenes: right within a factor of two, but where things stand close
-//! before what no light falls on, as the housing of a lamp under a ceiling: nodes between them take a hundred times as
-//! long. What is masked is not told.
+//! cells ([`CellPrice`]). Too small where things stand close before what no light falls on, as the housing of a lamp
+//! under a ceiling: nodes between them take a hundred times as long. What is masked is not told.
 
 use radiosity_light::emitters::Emitters;
 use radiosity_light::first_bounce::{LOOSEST, NodeCounts};
