@@ -74,7 +74,24 @@ fn of_comparison(progress: Progress) -> Option<Progress> {
         Progress::Rays { done, of, .. } => {
             Some(Progress::Done { stage, done: done as usize, of: of as usize })
         }
+        Progress::Expected { stage: Stage::Blocks, seconds } => Some(Progress::Expected { stage, seconds }),
         Progress::Began { .. } | Progress::Ended { .. } => None,
         other => Some(other),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Seconds that a comparison expects count as its own, not as those of the solution that it judges.
+    #[test]
+    fn a_comparison_tells_its_own_seconds() {
+        let told = |stage| of_comparison(Progress::Expected { stage, seconds: 2.0 });
+        let own = told(Stage::Blocks);
+        assert!(
+            matches!(own, Some(Progress::Expected { stage: Stage::Comparison, seconds: 2.0 })),
+            "{own:?}"
+        );
     }
 }
