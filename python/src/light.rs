@@ -107,7 +107,7 @@ impl Light {
                 "the polynomials are known on surfaces alone, along their normals: choose read=\"gather\"";
             Trouble::new(format!("points[{index}]: {fault}"), cure)
         })?;
-        warn_of_rays(py, told.readings.iter().map(|reading| reading.deviation), asked.how.eps)?;
+        warn_of_rays(py, told.readings.iter().map(|reading| reading.uncertainty.deviation), asked.how.eps)?;
         checked::warn_of(py, told.checked.as_ref(), asked.how.read)?;
         Ok(told)
     }
@@ -126,8 +126,7 @@ impl Light {
         let is_wanted = sensors.tell_errors || asked.check.audit.is_some();
         let effort = is_wanted.then(|| self.effort(asked, readings.len())).flatten();
         let found = self.judged(effort, readings.len(), printed, &work);
-        let own =
-            |reading: &ProbeReading| own.of_reading(&reading.irradiance, reading.deviation, reading.doubt);
+        let own = |reading: &ProbeReading| own.of_reading(&reading.irradiance, reading.uncertainty);
         Ok(Told::of(readings, own, found))
     }
 
@@ -141,7 +140,7 @@ impl Light {
         let own = self.found.own_error(&self.options, &asked.how);
         let printed = |number: usize| PrintedReading::of_cell(&cells[number], sides, scene, &own);
         let found = self.judged(self.effort(asked, cells.len()), cells.len(), printed, &work);
-        Told::of(cells, |cell| own.of_reading(&cell.irradiance, cell.deviation, cell.doubt), found)
+        Told::of(cells, |cell| own.of_reading(&cell.irradiance, cell.uncertainty), found)
     }
 
     /// How much of so many readings is checked.
@@ -278,7 +277,7 @@ impl Light {
             .map_err(Trouble::from)?;
         let told =
             self.read(py, observer.as_ref(), asked.threads, |progress| self.cells(&asked, sides, progress))?;
-        warn_of_rays(py, told.readings.iter().map(|cell| cell.deviation), asked.how.eps)?;
+        warn_of_rays(py, told.readings.iter().map(|cell| cell.uncertainty.deviation), asked.how.eps)?;
         checked::warn_of(py, told.checked.as_ref(), asked.how.read)?;
         Ok(Grid::new(told, scene))
     }

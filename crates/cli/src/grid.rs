@@ -88,12 +88,16 @@ pub(crate) fn run(args: &GridArgs, loaded: Loaded, ranks: &Ranks) -> Result<(), 
         PrintedReading::of_cell(cell, counts.of(cell.surface), scene, &own)
     };
     let checked = run.check(cells.len(), printed, run.seconds_to_read(&reading, cells.len()))?;
-    let estimates = cells.iter().map(|cell| own.of_reading(&cell.irradiance, cell.deviation, cell.doubt));
+    let estimates = cells.iter().map(|cell| own.of_reading(&cell.irradiance, cell.uncertainty));
     let errors = CheckedReadings::all_told(checked.as_ref(), estimates);
     data.write(&scene.bands, "cells", &table(scene, &cells, &errors))?;
     run.add_checked(checked.map(|own| own.checked), reading.read);
-    run.take_error_of_walks(cells.iter().map(|cell| (&cell.irradiance[..], cell.deviation)));
-    run.add_read_error(ReadError::of(cells.iter().map(|cell| cell.deviation)), reading.eps, pace.as_ref());
+    run.take_error_of_walks(cells.iter().map(|cell| (&cell.irradiance[..], cell.uncertainty.deviation)));
+    run.add_read_error(
+        ReadError::of(cells.iter().map(|cell| cell.uncertainty.deviation)),
+        reading.eps,
+        pace.as_ref(),
+    );
     run.finish(data.written())
 }
 

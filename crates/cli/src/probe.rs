@@ -147,8 +147,7 @@ pub(crate) fn run(
     };
     let seconds = run.seconds_to_read(&reading, readings.len());
     let checked = run.check(readings.len(), printed, seconds)?;
-    let estimates =
-        readings.iter().map(|reading| own.of_reading(&reading.irradiance, reading.deviation, reading.doubt));
+    let estimates = readings.iter().map(|reading| own.of_reading(&reading.irradiance, reading.uncertainty));
     let errors = CheckedReadings::all_told(checked.as_ref(), estimates);
     data.write(&scene.bands, "points", &table(scene, &sensors, &readings, &errors))?;
     let mut written: Vec<&str> = data.written().into_iter().collect();
@@ -163,9 +162,11 @@ pub(crate) fn run(
     });
     let figures = figures.collect();
     run.add_checked(checked.map(|own| own.checked), reading.read);
-    run.take_error_of_walks(readings.iter().map(|reading| (&reading.irradiance[..], reading.deviation)));
+    run.take_error_of_walks(
+        readings.iter().map(|reading| (&reading.irradiance[..], reading.uncertainty.deviation)),
+    );
     run.add_read_error(
-        ReadError::of(readings.iter().map(|reading| reading.deviation)),
+        ReadError::of(readings.iter().map(|reading| reading.uncertainty.deviation)),
         reading.eps,
         pace.as_ref(),
     );

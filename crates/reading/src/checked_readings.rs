@@ -57,7 +57,7 @@ impl PrintedReading {
             spot: reading.probe.spot(scene),
             printed: reading.irradiance.clone(),
             printed_groups: Vec::new(),
-            own: own.of_reading(&reading.irradiance, reading.deviation, reading.doubt),
+            own: own.of_reading(&reading.irradiance, reading.uncertainty),
             class: plane.or_else(surface).unwrap_or(IN_THE_OPEN).to_owned(),
         })
     }
@@ -70,7 +70,7 @@ impl PrintedReading {
             spot: Spot::Cell { surface: cell.surface, rect },
             printed: cell.irradiance.clone(),
             printed_groups: Vec::new(),
-            own: own.of_reading(&cell.irradiance, cell.deviation, cell.doubt),
+            own: own.of_reading(&cell.irradiance, cell.uncertainty),
             class: scene.surfaces[cell.surface].name.clone(),
         })
     }

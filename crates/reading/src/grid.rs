@@ -25,7 +25,7 @@ use radiosity_light::occluders::Site;
 use radiosity_light::receiver_point::ReceiverPoint;
 use radiosity_light::reflected::Reflection;
 use radiosity_solve::gather::gather_method::GatheredBy;
-use radiosity_solve::gather::read_irradiance::{Deviation, ReadIrradiance};
+use radiosity_solve::gather::read_irradiance::{Deviation, ReadIrradiance, Uncertainty};
 use radiosity_solve::gather::receiver::Receiver;
 use radiosity_solve::solution::SurfacePlace;
 use radiosity_work::ranks::{PartName, vector};
@@ -48,10 +48,8 @@ pub struct Cell {
     pub radiosity: Vec<f64>,
     /// Mean absorbed flux per band (W m⁻²): (1 − ρ − τ) E.
     pub absorbed: Vec<f64>,
-    /// Standard deviation of the irradiance, where rays gathered it.
-    pub deviation: Option<Deviation>,
-    /// About the error that polynomials leave (W m⁻²), root mean square over the bands.
-    pub doubt: f64,
+    /// What is known of the error of the irradiance.
+    pub uncertainty: Uncertainty,
     /// Area of the cell within the outer outline (scene length²).
     pub area: f64,
     /// Area of its elements: without holes, and without footprints that are cut out of them (scene length²).
@@ -152,16 +150,15 @@ struct Integrals {
     radiosity: Vec<f64>,
     absorbed: Vec<f64>,
     covered: f64,
-    /// Standard deviations of what rays gathered.
-    deviations: Deviations,
+    uncertainties: Uncertainties,
 }
 
-/// Standard deviations of integrals that are added, all bands together.
+/// Uncertainties of integrals that are added, all bands together.
 #[derive(Default)]
-struct Deviations {
-    /// Sum of the squares of their sizes relative to the integrals (W).
+struct Uncertainties {
+    /// Sum of the squares of the standard deviations relative to the integrals (W).
     squares: f64,
-    /// Sum of the squares of their sizes (W).
+    /// Sum of the squares of the standard deviations (W).
     absolute: f64,
     is_dark: bool,
     are_rays: bool,
@@ -169,20 +166,24 @@ struct Deviations {
     doubt: f64,
 }
 
-impl Deviations {
-    /// Adds the deviation of the integral `size` (W) over an area.
-    fn add(&mut self, deviation: Deviation, size: f64, area: f64) {
+impl Uncertainties {
+    /// Adds the uncertainty of the integral `size` (W) over an area.
+    fn add(&mut self, Uncertainty { deviation, doubt }: Uncertainty, size: f64, area: f64) {
+        self.doubt += doubt * area;
+        let Some(deviation) = deviation else { return };
         self.squares += (deviation.relative * size).powi(2);
         self.absolute += (deviation.absolute * area).powi(2);
         self.is_dark |= deviation.is_dark;
         self.are_rays = true;
     }
 
-    /// The deviation of all integrals over an `area`, which together are `size` (W); None where rays gathered nothing.
-    fn over(&self, size: f64, area: f64) -> Option<Deviation> {
+    /// The uncertainty of all integrals over an `area`, which together are `size` (W).
+    fn over(&self, size: f64, area: f64) -> Uncertainty {
         let part = |squares: f64, of: f64| if of > 0.0 { squares.sqrt() / of } else { 0.0 };
         let (relative, absolute) = (part(self.squares, size), part(self.absolute, area));
-        self.are_rays.then_some(Deviation { relative, absolute, is_dark: self.is_dark })
+        let doubt = if area > 0.0 { self.doubt / area } else { 0.0 };
+        let deviation = self.are_rays.then_some(Deviation { relative, absolute, is_dark: self.is_dark });
+        Uncertainty { deviation, doubt }
     }
 }
 
@@ -195,7 +196,7 @@ impl Integrals {
             radiosity: vec![0.0; bands.len()],
             absorbed: vec![0.0; bands.len()],
             covered: 0.0,
-            deviations: Deviations::default(),
+            uncertainties: Uncertainties::default(),
         };
         let elements = reader.solution().elements();
         // Elements of the other side whose light comes through.
@@ -217,13 +218,10 @@ impl Integrals {
     /// Adds the light on a patch of an element.
     fn add(&mut self, by: &CellReader, element: usize, patch: &Patch, rect: &Rect) {
         let area = area(patch);
-        let ReadIrradiance { irradiance, deviation, doubt } = over_patch(by, element, patch);
+        let ReadIrradiance { irradiance, uncertainty } = over_patch(by, element, patch);
         let irradiance: Vec<f64> = irradiance.into_iter().map(|mean| mean * area).collect();
         self.covered += area;
-        self.deviations.doubt += doubt * area;
-        if let Some(deviation) = deviation {
-            self.deviations.add(deviation, irradiance.iter().sum(), area);
-        }
+        self.uncertainties.add(uncertainty, irradiance.iter().sum(), area);
         for (index, band) in by.reader.solution().bands().iter().enumerate() {
             let Means { exitance, reflectance } = band.coating.means_over(element, patch, rect);
             let kept = 1.0 - reflectance - band.coating.transmittance(element);
@@ -249,10 +247,9 @@ impl Integrals {
         let area = area.unwrap_or(exposed);
         let mean =
             |sum: Vec<f64>| sum.into_iter().map(|sum| if area > 0.0 { sum / area } else { 0.0 }).collect();
-        let deviation = self.deviations.over(self.irradiance.iter().sum(), area);
-        let doubt = if area > 0.0 { self.deviations.doubt / area } else { 0.0 };
+        let uncertainty = self.uncertainties.over(self.irradiance.iter().sum(), area);
         let [irradiance, radiosity, absorbed] = [self.irradiance, self.radiosity, self.absorbed].map(mean);
-        Cell { surface, index, irradiance, radiosity, absorbed, deviation, doubt, area, exposed, position }
+        Cell { surface, index, irradiance, radiosity, absorbed, uncertainty, area, exposed, position }
     }
 }
 

@@ -6,12 +6,10 @@
 //! o² = |E|² (r² + s²) + d² ,     |E|² the mean of squares over the bands,
 //! ```
 //!
-//! with a part r of reading, a part s of the solution, and the doubt d of [`ReadIrradiance`]: what polynomials may
+//! with a part r of reading, a part s of the solution, and the doubt d of its [`Uncertainty`]: what polynomials may
 //! leave near the place, found by a few rays there. In the Cornell box, at 262 points in the shadow beside a block, 18
 //! readings were off by more than 4 times what was told without it, and 2 with it; in sixty random rooms 0.5 % of all
 //! were by more than 3 times, and none with it.
-//!
-//! [`ReadIrradiance`]: radiosity_solve::gather::read_irradiance::ReadIrradiance
 //!
 //! | r | of |
 //! | --- | --- |
@@ -32,7 +30,7 @@
 use radiosity_solve::Options;
 use radiosity_solve::animation::frame::Frame;
 use radiosity_solve::gather::gather_method::GatherMethod;
-use radiosity_solve::gather::read_irradiance::Deviation;
+use radiosity_solve::gather::read_irradiance::Uncertainty;
 use radiosity_solve::solved::Solved;
 use radiosity_solve::studies::adaptation::{Achieved, Aim};
 use radiosity_visibility::Visibility;
@@ -86,8 +84,8 @@ impl OwnError {
         Self { reading, solution: by_rays.map_or(transfers, |error| left(settings.read) * error) }
     }
 
-    /// The estimate for a reading of this light with this `doubt`, in its unit, root mean square over the bands.
-    pub fn of_reading(&self, light: &[f64], deviation: Option<Deviation>, doubt: f64) -> f64 {
+    /// The estimate for a reading of this light, in its unit, root mean square over the bands.
+    pub fn of_reading(&self, light: &[f64], Uncertainty { deviation, doubt }: Uncertainty) -> f64 {
         let squares = light.iter().map(|value| value * value).sum::<f64>() / light.len().max(1) as f64;
         let size = squares.sqrt();
         let reading = deviation.map_or(size * self.reading, |deviation| deviation.absolute);
@@ -106,6 +104,7 @@ fn left(read: ReadMode) -> f64 {
 #[cfg(test)]
 mod tests {
     use radiosity_language::builtin;
+    use radiosity_solve::gather::read_irradiance::Deviation;
 
     use super::*;
     use crate::quality::Quality;
@@ -121,7 +120,9 @@ mod tests {
         let settings = ReadSettings { eps: 1e-3, ..Quality::Default.reading() };
         // 3 and 4 in two bands are √12.5 in the root mean square.
         let light = [3.0, 4.0];
-        let told = |own: OwnError, deviation| own.of_reading(&light, deviation, 0.0) / 12.5_f64.sqrt();
+        let told = |own: OwnError, deviation| {
+            own.of_reading(&light, Uncertainty { deviation, doubt: 0.0 }) / 12.5_f64.sqrt()
+        };
         let near = |a: f64, b: f64| assert!((a - b).abs() < 1e-12, "{a} {b}");
         near(told(own("furnace-cube", None, &settings), None), 3e-4_f64.hypot(1e-4));
         near(told(own("cornell-box", None, &settings), None), 3e-4_f64.hypot(2e-3));
@@ -129,7 +130,10 @@ mod tests {
         near(told(own("cornell-box", Some(0.02), &settings), deviation), 5e-3);
         let basis = ReadSettings { read: ReadMode::Basis, ..settings };
         near(told(own("cornell-box", Some(0.02), &basis), None), 0.02);
-        let dark = |doubt| own("cornell-box", None, &settings).of_reading(&[0.0, 0.0], None, doubt);
+        let dark = |doubt| {
+            own("cornell-box", None, &settings)
+                .of_reading(&[0.0, 0.0], Uncertainty { deviation: None, doubt })
+        };
         near(dark(0.0), 0.0);
         near(dark(0.25), 0.25);
     }

@@ -7,7 +7,7 @@ use radiosity_geom::DVec3;
 use radiosity_light::receiver_point::ReceiverPoint;
 use radiosity_scene::{Scene, SensorPlane};
 use radiosity_solve::gather::lune::Lune;
-use radiosity_solve::gather::read_irradiance::{Deviation, ReadIrradiance};
+use radiosity_solve::gather::read_irradiance::{ReadIrradiance, Uncertainty};
 use radiosity_solve::gather::standpoint::Standpoint;
 use radiosity_solve::gather::surface_point::SurfacePoint;
 use radiosity_solve::solution::SurfacePlace;
@@ -63,10 +63,8 @@ pub struct ProbeReading {
     pub probe: Probe,
     /// Irradiance per band (W m⁻²).
     pub irradiance: Vec<f64>,
-    /// Standard deviation of what was gathered by rays; None otherwise.
-    pub deviation: Option<Deviation>,
-    /// About the error that polynomials leave (W m⁻²), root mean square over the bands.
-    pub doubt: f64,
+    /// What is known of its error.
+    pub uncertainty: Uncertainty,
     /// The surface the probe lies on, if any.
     pub on: Option<OnSurface>,
     /// Surfaces that are met first about the probe.
@@ -128,8 +126,8 @@ pub(crate) fn probe_each(
         found
     });
     let reading = |(probe, found): (&Probe, Result<ProbeValues, ProbeFault>)| {
-        let ProbeValues { irradiance, deviation, doubt, on, surroundings } = found?;
-        Ok(ProbeReading { probe: *probe, irradiance, deviation, doubt, on, surroundings })
+        let ProbeValues { irradiance, uncertainty, on, surroundings } = found?;
+        Ok(ProbeReading { probe: *probe, irradiance, uncertainty, on, surroundings })
     };
     probes.iter().zip(found).map(reading).collect()
 }
@@ -138,8 +136,7 @@ pub(crate) fn probe_each(
 #[derive(Serialize, Deserialize)]
 struct ProbeValues {
     irradiance: Vec<f64>,
-    deviation: Option<Deviation>,
-    doubt: f64,
+    uncertainty: Uncertainty,
     on: Option<OnSurface>,
     surroundings: Surroundings,
 }
@@ -170,9 +167,9 @@ fn read(reader: &Reader, probe: &Probe, middle: DVec3) -> Result<ProbeValues, Pr
             (value, Some(on))
         }
     };
-    let ReadIrradiance { irradiance, deviation, doubt } = value;
+    let ReadIrradiance { irradiance, uncertainty } = value;
     let surroundings = surroundings(reader, &standpoint.receiver_point(normal));
-    Ok(ProbeValues { irradiance, deviation, doubt, on, surroundings })
+    Ok(ProbeValues { irradiance, uncertainty, on, surroundings })
 }
 
 fn surroundings(reader: &Reader, receiver: &ReceiverPoint) -> Surroundings {

@@ -105,7 +105,7 @@ fn furnace(scene: &Scene, writing: &Writing, sensors: &[Probe]) -> Result<(f64, 
     let readings =
         probe(&reader, &probes, scene.middle, &Work::alone()).map_err(|(_, fault)| fault.to_string())?;
     // Readings that rays found anew tell their own standard deviation, which is above the accuracy asked.
-    let told = |reading: &ProbeReading| reading.deviation.map_or(0.0, |own| 3.0 * own.relative);
+    let told = |reading: &ProbeReading| reading.uncertainty.deviation.map_or(0.0, |own| 3.0 * own.relative);
     let off = |reading: &ProbeReading| (0.5 * (reading.irradiance[0] - 2.0).abs() - told(reading)).max(0.0);
     let offs = readings.iter().map(off);
     let worst = offs.zip(&probes).max_by(|a, b| a.0.total_cmp(&b.0));

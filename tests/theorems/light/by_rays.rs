@@ -42,7 +42,7 @@ fn places() -> impl Iterator<Item = (DVec3, DVec3)> {
 
 /// Relative standard deviation of what rays found.
 fn deviation(found: &ReadIrradiance) -> f64 {
-    found.deviation.expect("rays know it").relative
+    found.uncertainty.deviation.expect("rays know it").relative
 }
 
 #[test]
@@ -146,7 +146,7 @@ fn rays_and_cells_agree_and_the_error_told_is_true() {
         let exact = sum(&exact.irradiance);
         // Within the boxes there is none but for rounding.
         if exact > 1e-6 {
-            told += found.deviation.expect("rays know it").relative.powi(2);
+            told += found.uncertainty.deviation.expect("rays know it").relative.powi(2);
             squares += (sum(&found.irradiance) / exact - 1.0).powi(2);
             count += 1.0;
         }
@@ -242,7 +242,7 @@ fn cells_have_the_mean_of_probes_and_of_pixels() {
     assert_eq!(floor.len(), CELLS * CELLS);
     for cell in floor {
         let [i, j] = cell_of(cell.position);
-        let told = cell.deviation.expect("rays know it").absolute;
+        let told = cell.uncertainty.deviation.expect("rays know it").absolute;
         if (i + j) % 2 == 0 {
             let corner = DVec3::new(i as f64, j as f64, 0.0) - scene.middle;
             let place = |k: usize| (k as f64 + 0.5) / SIDE as f64;

@@ -60,7 +60,7 @@ fn a_far_lamp_behind_a_screen_lights_a_cell_as_is_told() {
         let floor = scene.surface_named("floor").expect("it is there");
         let cell = cells.iter().find(|cell| cell.surface == floor).expect("a cell");
         let (found, exact) = (cell.irradiance[0], of_screened_lamp(edge));
-        let told = cell.deviation.expect("rays know it").absolute;
+        let told = cell.uncertainty.deviation.expect("rays know it").absolute;
         match edge {
             3.0 => assert_eq!((found, exact), (0.0, 0.0)),
             // Midpoints err by as much.
@@ -96,7 +96,7 @@ fn a_lamp_sends_nothing_to_the_part_of_a_cell_behind_it() {
         for cell in cells.iter().filter(|cell| cell.surface == wall) {
             let middle = cell.position + scene.middle;
             let exact = on_wall_cell(height, [middle.y, middle.z]);
-            let told = cell.deviation.expect("rays know it").absolute;
+            let told = cell.uncertainty.deviation.expect("rays know it").absolute;
             let found = cell.irradiance[0];
             assert!(
                 (found - exact).abs() < 3.0 * told + 2e-3 * exact,
@@ -174,7 +174,7 @@ fn a_far_ball_lights_flat_and_curved_cells() {
             of_ball(jet.position + scene.middle, jet.normal)
         });
         let exact = points.sum::<f64>() / (N * N) as f64;
-        let told = cell.deviation.expect("rays know it").absolute;
+        let told = cell.uncertainty.deviation.expect("rays know it").absolute;
         let found = cell.irradiance[0];
         let most = if name == "floor" { 2e-3 * exact } else { 3.0 * told + 5e-3 * exact };
         assert!((found - exact).abs() <= most, "{name} {:?}: {found} ± {told}, {exact}", cell.index);

@@ -273,7 +273,7 @@ fn cells_of_the_furnace_are_two_times_what_is_uncovered() {
             let exact = 2.0 * (1.0 - covered);
             let e = cell.irradiance[0];
             // Of 176 cells, by eight sequences each.
-            let told = cell.deviation.map_or(6e-3, |deviation| deviation.absolute);
+            let told = cell.uncertainty.deviation.map_or(6e-3, |deviation| deviation.absolute);
             assert!(
                 (e - exact).abs() < 5.0 * told,
                 "{read:?} {:?}: {e} ± {told} instead of {exact}",

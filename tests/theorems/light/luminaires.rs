@@ -137,7 +137,7 @@ fn means_over_cells_are_those_of_the_closed_form() {
             }
             let found = cell.irradiance[0];
             // Rays are as exact as asked beside the usual light.
-            let told = cell.deviation.map_or(0.0, |deviation| 3.0 * deviation.absolute);
+            let told = cell.uncertainty.deviation.map_or(0.0, |deviation| 3.0 * deviation.absolute);
             let most = f64::max(error * exact, told);
             assert!((found - exact).abs() < most, "{read:?} {:?}: {found}, not {exact}", cell.index);
         }

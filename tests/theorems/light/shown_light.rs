@@ -103,7 +103,7 @@ fn cells_sensors_and_pixels_show_the_same_light() {
         let (mut seen, mut compared) = (0, 0);
         for (number, cell) in cells.iter().filter(is_bare).enumerate() {
             let light = cell.irradiance[0];
-            let told = cell.deviation.map_or(EPS * light, |own| own.absolute);
+            let told = cell.uncertainty.deviation.map_or(EPS * light, |own| own.absolute);
             let allowed = |of: f64| 3.0 * told + of * light.max(mean);
             let [shown, area] = pixels[(cell.surface * CELLS + cell.index[0]) * CELLS + cell.index[1]];
             if (area / cell.area - 1.0).abs() < 0.05 {

@@ -37,7 +37,7 @@ struct FrameReadings {
 impl FrameReadings {
     /// The errors that are told after what was `found`, in this frame if it `is_judged`, else in another.
     fn errors(&self, found: Option<&CheckedReadings>, is_judged: bool) -> Vec<f64> {
-        let of = |own: &ProbeReading| self.own.of_reading(&own.irradiance, own.deviation, own.doubt);
+        let of = |own: &ProbeReading| self.own.of_reading(&own.irradiance, own.uncertainty);
         let estimates = self.readings.iter().map(of);
         match is_judged {
             true => CheckedReadings::all_told(found, estimates),
@@ -83,7 +83,7 @@ impl Readings {
     /// The error of readings by rays, of all frames.
     pub(super) fn error(&self) -> Option<ReadError> {
         let readings = self.frames.iter().flat_map(|own| &own.readings);
-        ReadError::of(readings.map(|reading| reading.deviation))
+        ReadError::of(readings.map(|reading| reading.uncertainty.deviation))
     }
 
     /// Prints `frame,point,x,y,z,nx,ny,nz,E_<band>…,error`, a row for each frame and point, with the errors that

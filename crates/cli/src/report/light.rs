@@ -114,17 +114,15 @@ impl<'a> ReportLight<'a> {
         };
         let count = sensed.len() + cells.len();
         let checked = run.check(count, printed, run.seconds_to_read(&reading, count))?;
-        let estimates = sensed
-            .iter()
-            .map(|reading| own.of_reading(&reading.irradiance, reading.deviation, reading.doubt));
+        let estimates = sensed.iter().map(|reading| own.of_reading(&reading.irradiance, reading.uncertainty));
         let errors = CheckedReadings::all_told(checked.as_ref(), estimates);
         let figures = planes.map(|on| {
             let errors = &errors[on.first..on.first + on.items.len()];
             PlaneFigures::of(on.plane, &scene.bands, on.items, errors)
         });
         let figures = figures.collect();
-        let deviations = sensed.iter().map(|reading| reading.deviation);
-        let error = ReadError::of(deviations.chain(cells.iter().map(|cell| cell.deviation)));
+        let deviations = sensed.iter().map(|reading| reading.uncertainty.deviation);
+        let error = ReadError::of(deviations.chain(cells.iter().map(|cell| cell.uncertainty.deviation)));
         run.add_checked(checked.map(|own| own.checked), reading.read);
         run.add_read_error(error, reading.eps, pace.as_ref());
         run.add_planes(figures);

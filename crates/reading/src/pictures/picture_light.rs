@@ -220,10 +220,13 @@ impl<'a> PictureLight<'a> {
         let all = self.all(seen, lit);
         let other = self.beside(&all, lit, error_factor);
         let point = seen.receiver_point();
-        let ReadIrradiance { irradiance, deviation, .. } =
+        let ReadIrradiance { irradiance, uncertainty } =
             gathering.reflected_for_sure(&point, lit, &other, self.doubt.at(&all, self.mean));
         let all: f64 = irradiance.iter().chain(&other).sum();
-        ComputedLight { bands: irradiance, error: deviation.map_or(0.0, |own| own.relative * all) }
+        ComputedLight {
+            bands: irradiance,
+            error: uncertainty.deviation.map_or(0.0, |own| own.relative * all),
+        }
     }
 
     /// Light (W m⁻² per band) beside which the rest of `all` light of a place is to be accurate: the direct light

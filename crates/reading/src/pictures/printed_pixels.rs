@@ -6,6 +6,7 @@
 
 use radiosity_audit::{Pixel, Spot, evenly};
 use radiosity_scene::{Camera, Scene};
+use radiosity_solve::gather::read_irradiance::Uncertainty;
 use radiosity_visibility::Visibility;
 
 use super::frame_light::forecast::nodes;
@@ -71,7 +72,7 @@ impl<'a> PrintedPixels<'a> {
         let printed = self.raster.pixels().nth(pixel)?.to_vec();
         Some(PrintedReading {
             spot: Spot::Pixel(Pixel::of(self.camera, column, row)),
-            own: self.own.of_reading(&printed, None, 0.0),
+            own: self.own.of_reading(&printed, Uncertainty::default()),
             printed,
             printed_groups: Vec::new(),
             class: self.scene.surfaces[surface].name.clone(),

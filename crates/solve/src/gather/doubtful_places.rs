@@ -31,7 +31,7 @@ use crate::gather::bends::{Part, SentLight, bends};
 use crate::gather::met_light::{EndLight, MetLight};
 use crate::gather::narrow_gaps::NarrowGaps;
 use crate::gather::ray_gather::{Beyond, RayGather};
-use crate::gather::read_irradiance::{Deviation, ReadIrradiance};
+use crate::gather::read_irradiance::ReadIrradiance;
 use crate::gather::receiver::Receiver;
 use crate::gather::sent_rays::Met;
 use crate::gather::trusted_light::is_seen_large;
@@ -165,7 +165,7 @@ impl<'a> DoubtfulPlaces<'a> {
         if looks.doubt > f64::min(DOUBTFUL * all, UNSURE * all.max(1.0)) {
             return self.read_anew(&Receiver::Point(*receiver), lit);
         }
-        ReadIrradiance { doubt: self.in_watts(looks.doubt), ..reflected().with(lit) }
+        self.with_doubt(looks.doubt, reflected().with(lit))
     }
 
     /// The reflected light of a point, one of many, accurate relative to this and the light `other` (W m⁻² per band),
@@ -202,7 +202,7 @@ impl<'a> DoubtfulPlaces<'a> {
         if is_near_unknown || (all > NOTHING && self.gaps.hold(&middle)) {
             return self.read_anew(origin, lit);
         }
-        ReadIrradiance { doubt: self.in_watts(doubt), ..found() }
+        self.with_doubt(doubt, found())
     }
 
     /// All light of a receiver, where so much is `lit` by emitters, with reflected light by walks.
@@ -210,10 +210,11 @@ impl<'a> DoubtfulPlaces<'a> {
         known_beside(self.shadows.reflected_alone(origin, lit).with(lit))
     }
 
-    /// A doubt over the usual light as an error, root mean square over the bands (W m⁻²).
-    fn in_watts(&self, doubt: f64) -> f64 {
+    /// The light with a doubt over the usual light, kept as an error in W m⁻², root mean square over the bands.
+    fn with_doubt(&self, doubt: f64, mut read: ReadIrradiance) -> ReadIrradiance {
         let squares: f64 = self.light.usual.iter().map(|usual| usual * usual).sum();
-        doubt * (squares / self.light.usual.len() as f64).sqrt()
+        read.uncertainty.doubt = doubt * (squares / self.light.usual.len() as f64).sqrt();
+        read
     }
 
     /// Light per band over the usual light, in the mean.
@@ -252,7 +253,7 @@ impl<'a> DoubtfulPlaces<'a> {
 }
 
 /// Light that is as well known beside that of the scene as was asked, whatever its relative error.
-fn known_beside(read: ReadIrradiance) -> ReadIrradiance {
-    let deviation = read.deviation.map(|deviation| Deviation { is_dark: true, ..deviation });
-    ReadIrradiance { deviation, ..read }
+fn known_beside(mut read: ReadIrradiance) -> ReadIrradiance {
+    read.uncertainty.deviation.iter_mut().for_each(|deviation| deviation.is_dark = true);
+    read
 }

@@ -392,7 +392,7 @@ mod tests {
         let receiver = ReceiverPoint::on(floor, jet.position, jet.normal);
         let read = |pace: &Pace| {
             let found = gathering().paced(pace).read(&receiver);
-            (found.irradiance, found.deviation.expect("rays have one"))
+            (found.irradiance, found.uncertainty.deviation.expect("rays have one"))
         };
         let [ended, unhurried] =
             [0, 1000].map(|seconds| Pace::of(1, 1, Instant::now() + Duration::from_secs(seconds)));
@@ -446,7 +446,7 @@ mod tests {
                 gathered.set(gathered.get() + 1);
                 lit.clone().into()
             });
-            let is_anew = found.deviation.is_some();
+            let is_anew = found.uncertainty.deviation.is_some();
             doubtful += usize::from(is_anew);
             assert_eq!(gathered.get(), usize::from(!is_anew));
             assert!(is_anew || found.irradiance == lit);
@@ -475,11 +475,12 @@ mod tests {
             let [found, right] = [&cells, &walks].map(|gathering| gathering.read(&receiver));
             let bands = found.irradiance.iter().zip(&right.irradiance);
             let off = size(bands.map(|(one, other)| (one - other).powi(2)).sum());
-            let noise = right.deviation.expect("walks have one").absolute;
+            let noise = right.uncertainty.deviation.expect("walks have one").absolute;
             let known = found
+                .uncertainty
                 .deviation
                 .map_or(1.25e-3 * size(found.irradiance.iter().map(|e| e * e).sum()), |own| own.absolute);
-            for (most, told) in most.iter_mut().zip([known, known.hypot(found.doubt)]) {
+            for (most, told) in most.iter_mut().zip([known, known.hypot(found.uncertainty.doubt)]) {
                 *most = most.max(off / told.hypot(noise));
             }
         }

@@ -17,7 +17,7 @@ use radiosity_light::tolerances::DARK;
 use radiosity_transport::tolerances::BATCHES;
 
 use crate::gather::ray_count::MOST_SURFACES;
-use crate::gather::read_irradiance::{Deviation, ReadIrradiance};
+use crate::gather::read_irradiance::{Deviation, ReadIrradiance, Uncertainty};
 use crate::gather::walked_light::Scores;
 
 /// Brightness of what one ray may have met or missed, over that of the scene on the whole. Chosen.
@@ -201,7 +201,7 @@ impl Estimate {
 
 impl From<Estimate> for ReadIrradiance {
     fn from(Estimate { irradiance, deviation, .. }: Estimate) -> Self {
-        Self { irradiance, deviation: Some(deviation), doubt: 0.0 }
+        Self { irradiance, uncertainty: Uncertainty { deviation: Some(deviation), doubt: 0.0 } }
     }
 }
 

@@ -201,7 +201,7 @@ impl<'a> RayGather<'a> {
         let mut read = self.gathered(&rays, &wanted, &vec![0.0; dark.len()]);
         if !is_walked {
             let is_dim = read.irradiance.iter().zip(&dark).any(|(light, dark)| light < dark);
-            read.deviation.iter_mut().for_each(|deviation| deviation.is_dark |= is_dim);
+            read.uncertainty.deviation.iter_mut().for_each(|deviation| deviation.is_dark |= is_dim);
         }
         read
     }

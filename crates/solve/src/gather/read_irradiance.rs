@@ -7,6 +7,13 @@ use serde::{Deserialize, Serialize};
 pub struct ReadIrradiance {
     /// Irradiance per band (W m⁻²).
     pub irradiance: Vec<f64>,
+    /// What is known of its error.
+    pub uncertainty: Uncertainty,
+}
+
+/// What reading itself knows of the error of an irradiance, by default nothing.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Uncertainty {
     /// Standard deviation of what was gathered by rays; None otherwise.
     pub deviation: Option<Deviation>,
     /// About the error that the polynomials of elements near by leave, root mean square over the bands (W m⁻²); 0 where
@@ -37,6 +44,6 @@ impl ReadIrradiance {
 
 impl From<Vec<f64>> for ReadIrradiance {
     fn from(irradiance: Vec<f64>) -> Self {
-        Self { irradiance, deviation: None, doubt: 0.0 }
+        Self { irradiance, uncertainty: Uncertainty::default() }
     }
 }
