@@ -48,7 +48,7 @@ pub struct Cell {
     pub radiosity: Vec<f64>,
     /// Mean absorbed flux per band (W m⁻²): (1 − ρ − τ) E.
     pub absorbed: Vec<f64>,
-    /// What is known of the error of the irradiance.
+    /// The error of the irradiance, as far as it is known.
     pub uncertainty: Uncertainty,
     /// Area of the cell within the outer outline (scene length²).
     pub area: f64,

@@ -63,7 +63,7 @@ pub struct ProbeReading {
     pub probe: Probe,
     /// Irradiance per band (W m⁻²).
     pub irradiance: Vec<f64>,
-    /// What is known of its error.
+    /// Its error, as far as it is known.
     pub uncertainty: Uncertainty,
     /// The surface the probe lies on, if any.
     pub on: Option<OnSurface>,

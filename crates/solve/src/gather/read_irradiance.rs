@@ -7,11 +7,11 @@ use serde::{Deserialize, Serialize};
 pub struct ReadIrradiance {
     /// Irradiance per band (W m⁻²).
     pub irradiance: Vec<f64>,
-    /// What is known of its error.
+    /// Its error, as far as it is known.
     pub uncertainty: Uncertainty,
 }
 
-/// What reading itself knows of the error of an irradiance, by default nothing.
+/// The error of an irradiance as far as its reading knows it, by default nothing.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Uncertainty {
     /// Standard deviation of what was gathered by rays; None otherwise.
