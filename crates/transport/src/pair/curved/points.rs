@@ -36,7 +36,7 @@ impl Job<'_> {
 impl Points {
     /// Points of the tensor rule for two parts apart.
     pub(super) fn apart(&self, p: &Patch, q: &Patch, gap: f64) -> [usize; 4] {
-        let counts = far::counts(p, q, self.degrees, gap, self.eps);
+        let counts = far::counts(p, q, self.degrees, gap, far::slant(p, q) * self.eps);
         let charts = [chart_orders::points(p, self.eps), chart_orders::points(q, self.eps)].concat();
         [0, 1, 2, 3].map(|k| (counts[k] + charts[k]).min(MOST_POINTS))
     }
