@@ -66,6 +66,15 @@ pub fn facing(p: &Patch, q: &Patch, touching: bool, eps: f64) -> Facing {
     if verdict == Facing::Partly && is_slight() { Facing::Wholly } else { verdict }
 }
 
+/// Whether a point of a patch may have some of a ball before it: heights of the centre over tangent planes,
+/// with the margin of patches apart.
+pub fn may_face_ball(patch: &Patch, center: DVec3, radius: f64) -> bool {
+    let samples = Samples::of(patch, APART);
+    let height = |x: &Node| x.normal.dot(center - x.position);
+    let margin = 0.25 * samples.second_differences(|a, b, c| (height(a) - 2.0 * height(b) + height(c)).abs());
+    samples.nodes.iter().any(|x| height(x) + radius + margin > 0.0)
+}
+
 /// Orientation of a patch to itself: wholly if concave, away if convex or flat.
 pub fn own(patch: &Patch) -> Facing {
     if patch.is_flat() {
@@ -204,6 +213,16 @@ mod tests {
         assert_eq!(facing(&quarter(0.0, [-1.0, -0.9]), &right, false, EXACTLY), Facing::Wholly);
         assert_eq!(facing(&quarter(0.0, [-0.1, 0.1]), &right, false, EXACTLY), Facing::Away);
         assert_eq!(facing(&quarter(0.0, [-0.7, -0.3]), &right, false, EXACTLY), Facing::Partly);
+    }
+
+    /// Points of the unit ball at the latitude ψ, on the side of another one about (2.1, 0, −1), have some of
+    /// it above their horizons where 2.1 cos ψ > sin ψ: below 64.5°, v = 0.717.
+    #[test]
+    fn a_border_that_faces_a_ball_is_noticed() {
+        let cap = |low: f64| patch(ball(DVec3::ZERO), [-0.5, 0.5], [low, 1.0]);
+        let center = DVec3::new(2.1, 0.0, -1.0);
+        assert!(may_face_ball(&cap(0.7), center, 1.0));
+        assert!(!may_face_ball(&cap(0.9), center, 1.0));
     }
 
     #[test]

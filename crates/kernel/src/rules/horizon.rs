@@ -115,7 +115,7 @@ const WHOLES: usize = 4;
 /// much: a part of a twentieth of the patch about a corner. An arbitrary choice: with a smaller value light
 /// that no rule sees is missed; with a larger one cells are halved about corners that see next to nothing.
 const CORNER: f64 = 0.05;
-/// Points along each direction of a part of the outer patch from which it is told whether it faces a sphere.
+/// Points along each direction of the outer patch from which it is told whether it lies before a flat or a swept part.
 const LOOKS: usize = 3;
 const CORNERS: [(f64, f64); 4] = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)];
 
@@ -185,7 +185,7 @@ impl InnerPart<'_> {
     fn may_face(&self, outer: &Patch) -> bool {
         match self {
             Self::Patch(part) => facing(outer, part.patch(), false, 0.0) != Facing::Away,
-            Self::Zone(part) => part.may_be_faced_by(&outer.cell_nodes(LOOKS)),
+            Self::Zone(part) => part.may_be_faced_by(outer),
             Self::Flat(part) => part.may_be_faced_by(outer),
             Self::Swept(_) => true,
         }

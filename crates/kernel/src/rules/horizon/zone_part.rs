@@ -25,11 +25,12 @@
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use radiosity_elements::basis::AreaBasis;
-use radiosity_elements::patch::Node;
+use radiosity_elements::patch::{Node, Patch};
 use radiosity_elements::rule::{MOST_POINTS, UnitRule};
 use radiosity_geom::{DVec3, ROUNDING};
 use smallvec::SmallVec;
 
+use crate::contact::orientation::may_face_ball;
 use crate::contact::sectors::LARGEST_TURN;
 use crate::irradiance::ball::ball;
 use crate::moments::integrand::kernel;
@@ -120,10 +121,10 @@ impl<'a> ZonePart<'a> {
         Self { zone, basis, points, sector: [zone.width(), north - south].map(sector_angle) }
     }
 
-    /// Whether some point of the whole sphere lies before the horizon of one of these points.
-    pub(super) fn may_be_faced_by(&self, points: &[Node]) -> bool {
-        let Chart { center, radius, .. } = self.zone.chart();
-        points.iter().any(|x| (center - x.position).dot(x.normal) > -radius)
+    /// Whether some point of the whole sphere may lie before the horizon of a point of a patch.
+    pub(super) fn may_be_faced_by(&self, outer: &Patch) -> bool {
+        let Chart { center, radius, .. } = *self.zone.chart();
+        may_face_ball(outer, center, radius)
     }
 
     /// Whether `x` sees some of it.
