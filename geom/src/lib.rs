@@ -83,7 +83,7 @@ pub use rect::Rect;
 pub use region::PlanarRegion;
 pub use roots::quadratic;
 pub use rounding::{coordinate_rounding, unit_roundoff};
-pub use separated::separated;
+pub use separated::{separated, separates, separating};
 pub use shape_error::ShapeError;
 pub use surface::{Foot, Jet, Surface};
 pub use tangent_planes::TangentPlanes;

@@ -8,6 +8,8 @@
 //! and separates, or nothing is left. Touching hulls leave a cone of no width, so each half-space is moved
 //! outwards by the tolerance: d · w ≥ −τ.
 
+use std::iter;
+
 use glam::DVec3;
 use smallvec::SmallVec;
 
@@ -22,12 +24,22 @@ type Cone = SmallVec<[DVec3; 12]>;
 /// Meant for the few corners of patches and boxes: usually a few clips, each after a pass over all points,
 /// and never more than |c| · (|a| + |b|) per face.
 pub fn separated(a: &[DVec3], b: &[DVec3], c: &[DVec3], tolerance: f64) -> bool {
-    let splits = |d: DVec3| d != DVec3::ZERO && gap(a, b, c, d) >= -tolerance * d.length();
+    separating(a, b, c, tolerance).is_some()
+}
+
+/// Whether a plane of this normal tells what [`separated`] does.
+pub fn separates(d: DVec3, [a, b, c]: [&[DVec3]; 3], tolerance: f64) -> bool {
+    d != DVec3::ZERO && gap(a, b, c, d) >= -tolerance * d.length()
+}
+
+/// A normal of a plane that tells what [`separated`] does, if there is one.
+pub fn separating(a: &[DVec3], b: &[DVec3], c: &[DVec3], tolerance: f64) -> Option<DVec3> {
+    let splits = |d: &DVec3| separates(*d, [a, b, c], tolerance);
     let middle = |points: &[DVec3]| points.iter().sum::<DVec3>() / points.len() as f64;
     let towards = middle(c) - 0.5 * (middle(a) + middle(b));
-    let axes = [DVec3::X, DVec3::Y, DVec3::Z];
-    if splits(towards) || axes.into_iter().any(|d| splits(d) || splits(-d)) {
-        return true;
+    let axes = [DVec3::X, DVec3::Y, DVec3::Z].into_iter().flat_map(|d| [d, -d]);
+    if let Some(d) = iter::once(towards).chain(axes).find(splits) {
+        return Some(d);
     }
     // The faces that look along what separates the middles are the most likely to hold a direction.
     let [x, y, z] = towards.abs().to_array();
@@ -41,7 +53,7 @@ pub fn separated(a: &[DVec3], b: &[DVec3], c: &[DVec3], tolerance: f64) -> bool 
     };
     let along = by_height.map(|axis| if towards[axis] < 0.0 { axis + 3 } else { axis });
     let faces = along.into_iter().chain(along.into_iter().rev().map(|face| (face + 3) % 6));
-    faces.into_iter().any(|face| direction_on(face, [a, b, c], tolerance).is_some_and(splits))
+    faces.into_iter().find_map(|face| direction_on(face, [a, b, c], tolerance).filter(splits))
 }
 
 /// The width of the slab of normal `d` with A ∪ B below and C above, times |d|; negative where they overlap.

@@ -13,8 +13,8 @@
 //! e² = ∫∫ κ² · Σ κ_k² (V_k − v)² / (Σ κ_k)² .
 //! ```
 //!
-//! Most pairs are clear: nothing can stand between them, which is looked up where pairs are not too many. Where
-//! n segments of another pair agree, and any part of it may be hidden, one more would not agree with
+//! Most pairs are clear: nothing can stand between them, which is looked up for clusters, facets and clusters, and pairs,
+//! each of what those before leave open. Where n segments of another pair agree, and any part of it may be hidden, one more would not agree with
 //! probability 1/(n + 2) (P.-S. Laplace's rule of succession), and by that part of the whole the exchange may
 //! err: n follows from the error asked for, and from the share of the pair in a row.
 //!
@@ -24,32 +24,31 @@
 
 mod facet;
 mod clusters;
+mod cluster_sight;
 mod segments;
 mod row_pairs;
 mod pairs_as_blocks;
 
 use radiosity_elements::Elements;
 use radiosity_kernel::PairCounts;
-use radiosity_visibility::{Between, Visibility};
+use radiosity_visibility::Visibility;
 use radiosity_work::interruption::check_interrupt;
 use radiosity_work::ranks::PartName;
 use radiosity_work::{Stage, Work};
 use serde::{Deserialize, Serialize};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
+use cluster_sight::{ClusterSight, FacetSight};
 use clusters::Clusters;
 use facet::Facet;
 pub use row_pairs::{MixedPair, RowPairs};
 use segments::{Segments, TOGETHER};
 
 /// Segments by which all pairs would be decided about at [`USUAL_EPS`] if none was clear, and of one pair at least and
-/// at the most. Chosen: ten thousand triangles take two minutes of one thread.
-const FIRST_OF_ALL: f64 = 1e8;
+/// at the most. Chosen: ten thousand triangles that hide each other take two minutes of one thread.
+const FIRST_OF_ALL: f64 = 5e8;
 const FEWEST_FIRST: f64 = 4.0;
 const MOST_FIRST: f64 = 16.0;
-
-/// Most pairs of which it is looked up whether they are clear. Chosen: of more it takes longer than their segments.
-const MOST_LOOKED_UP: f64 = 1.25e7;
 
 /// Accuracy for which these are the numbers.
 const USUAL_EPS: f64 = 1e-3;
@@ -57,9 +56,9 @@ const USUAL_EPS: f64 = 1e-3;
 /// Part of so many segments that tells as much as they do. Chosen: kernels of most pairs differ by less.
 const TELLING: f64 = 0.75;
 
-/// Fewest segments of a pair of which a part is hidden, and most of them for each of the first ones. Chosen.
+/// Fewest segments of a pair of which a part is hidden, and most of them at [`USUAL_EPS`]. Chosen.
 const FEWEST: u64 = 16;
-const MOST: u64 = 64;
+const MOST: f64 = 1024.0;
 
 /// Part of an exchange that segments that agree may miss, over the error asked for. Chosen: what is missed is then no
 /// more than what rays leave in pairs of which a part is hidden.
@@ -69,10 +68,12 @@ const MISSED: f64 = 2.0;
 /// row has ten times the most of a pair.
 const LARGE: f64 = 0.1;
 
-/// Seconds of two threads that a segment takes, and segments of pairs of which a part is hidden over the first ones.
-/// Measured on dented balls.
+/// Seconds of two threads that a pair takes, those near a facet, and a segment; and segments of all pairs for each that
+/// decides about one. Measured on dented balls.
+const PAIR: f64 = 4e-7;
+const NEAR: f64 = 2.5e-4;
 const SEGMENT: f64 = 2.5e-7;
-const MORE: f64 = 0.3;
+const SENT: f64 = 0.05;
 
 /// Relative error of points at the least distance at which they are taken, at the most. Measured: 1.1e-3 of four
 /// thousand pairs of triangles.
@@ -87,8 +88,8 @@ pub struct FacetTransport<'a> {
     clusters: Clusters,
     /// Segments that decide about a pair where all agree.
     first: u64,
-    /// Whether it is looked up which pairs are clear.
-    finds_clear: bool,
+    /// Most segments of a pair of which a part is hidden.
+    most: u64,
     /// Error that is asked for, over the largest factor of a row.
     eps: f64,
     work: &'a Work<'a>,
@@ -101,15 +102,13 @@ pub struct FacetExchanges {
     pub rows: Vec<RowPairs>,
     /// Segments that decided about a pair where all agreed.
     pub first: u64,
-    /// Whether pairs that were not looked at again are clear, not seen wholly as far as these tell.
-    pub are_clear: bool,
     /// Numbers of pairs by how they were treated.
     pub pairs: PairCounts,
     /// Evaluations of the kernel, or of logarithms in contour integrals.
     pub samples: u64,
     /// Segments that were tested.
     pub segments: u64,
-    /// Pairs by contours that are clear, or seen wholly as far as the first segments tell.
+    /// Pairs by contours that are clear.
     pub exact: usize,
 }
 
@@ -169,7 +168,7 @@ impl<'a> FacetTransport<'a> {
             clusters: Clusters::of(&facets),
             facets,
             first,
-            finds_clear: pairs <= MOST_LOOKED_UP,
+            most: (finer * MOST) as u64,
             eps,
             work,
         })
@@ -177,8 +176,8 @@ impl<'a> FacetTransport<'a> {
 
     /// About the seconds that two threads take.
     pub fn seconds(&self) -> f64 {
-        let pairs = 0.5 * (self.facets.len() as f64).powi(2);
-        SEGMENT * (1.0 + MORE) * self.first as f64 * pairs
+        let facets = self.facets.len() as f64;
+        NEAR * facets + (PAIR + SEGMENT * SENT * self.first as f64) * 0.5 * facets.powi(2)
     }
 
     /// The exchanges of the `wanted` pairs.
@@ -187,13 +186,20 @@ impl<'a> FacetTransport<'a> {
         let done = AtomicUsize::new(0);
         let tell =
             || self.work.report_done(Stage::Blocks, done.fetch_add(1, Ordering::Relaxed) + 1, 2 * count);
-        let lengths: Vec<f64> = (1..=count).rev().map(|length| length as f64).collect();
-        let first = |row: usize| {
-            let found = self.first_look(row, wanted);
-            tell();
-            found
+        let first = |cluster: usize| {
+            let mut sight = ClusterSight::of(&self.facets, &self.clusters, self.visibility, cluster);
+            let look = |row: &u32| {
+                let row = *row as usize;
+                let found = self.first_look(row, sight.of_facet(row), wanted);
+                tell();
+                found
+            };
+            self.clusters.list()[cluster].members.iter().map(look).collect::<Vec<_>>()
         };
-        let mut looks = self.work.ranks.map(PartName::Facets, &lengths, first);
+        let length = |row: &u32| (count - *row as usize) as f64;
+        let lengths = self.clusters.list().iter().map(|own| own.members.iter().map(length).sum());
+        let looks = self.work.ranks.map(PartName::Facets, &lengths.collect::<Vec<f64>>(), first);
+        let mut looks = self.by_rows(looks);
         let sizes = self.row_sizes(&looks);
         let again: Vec<f64> = looks.iter().map(|look| 1.0 + look.whole.len() as f64).collect();
         let second = |row: usize| {
@@ -213,7 +219,6 @@ impl<'a> FacetTransport<'a> {
         FacetExchanges {
             rows: looks.into_iter().map(|look| look.pairs).collect(),
             first: self.first,
-            are_clear: self.finds_clear,
             pairs,
             samples,
             segments,
@@ -221,18 +226,23 @@ impl<'a> FacetTransport<'a> {
         }
     }
 
+    /// The looks at the members of each cluster, in the order of the facets.
+    fn by_rows(&self, looks: Vec<Vec<FirstLook>>) -> Vec<FirstLook> {
+        let mut looks: Vec<_> = looks.into_iter().map(Vec::into_iter).collect();
+        let next = |row: usize| looks[self.clusters.of_facet(row).0].next().expect("each member has one");
+        (0..self.facets.len()).map(next).collect()
+    }
+
     /// The pairs of a facet with those after it, by the first segments.
-    fn first_look(&self, row: usize, wanted: &(dyn Fn(usize, usize) -> bool + Sync)) -> FirstLook {
+    fn first_look(
+        &self,
+        row: usize,
+        mut own_sight: FacetSight<'_, '_>,
+        wanted: &(dyn Fn(usize, usize) -> bool + Sync),
+    ) -> FirstLook {
         let mut look = FirstLook { pairs: RowPairs::default(), whole: Vec::new(), counts: Counts::default() };
         let own = &self.facets[row];
         let list = self.elements.list();
-        let mut between: Vec<Option<Between>> = vec![None; self.clusters.count()];
-        let mut is_clear = |column: usize| {
-            let number = self.clusters.number(column);
-            let cluster = self.clusters.cluster(number);
-            let known = between[number].get_or_insert_with(|| self.visibility.between(own.end(), cluster));
-            self.visibility.is_clear([own.end(), self.facets[column].end()], known)
-        };
         for (column, other) in self.facets.iter().enumerate().skip(row + 1) {
             check_interrupt();
             if !wanted(row, column) {
@@ -249,19 +259,24 @@ impl<'a> FacetTransport<'a> {
                 facet::by_contour([&list[row], &list[column]])
             };
             look.counts.samples += samples;
+            let passage = own_sight.past(column);
+            if passage.is_open() {
+                look.push(column, whole, sight.is_far);
+                continue;
+            }
             let mut segments = self.segments(row, column);
             segments.send(1);
-            let is_clear = self.finds_clear && !segments.are_none_free() && is_clear(column);
+            let is_clear = !segments.are_none_free() && passage.is_clear([own, other], self.visibility);
             if !is_clear {
                 segments.send(self.first);
             }
             look.counts.segments += segments.sent();
             let matters = self.closer(whole / own.area.min(other.area)) > self.first;
             let is_told = !matters && segments.carrying() >= TELLING * FEWEST_FIRST;
-            let is_decided = is_clear || is_told && !self.finds_clear && segments.are_all_free();
             match is_told && segments.are_none_free() {
                 true => look.counts.pairs.skipped_hidden += 1,
-                false => look.take(column, whole, sight.is_far, is_decided, &segments),
+                false if is_clear => look.push(column, whole, sight.is_far),
+                false => look.push_open(column, whole, sight.is_far, &segments),
             }
         }
         look.counts.pairs.total = self.facets.len() - row - 1;
@@ -283,7 +298,7 @@ impl<'a> FacetTransport<'a> {
 
     /// Segments of a pair of this share of a row, where all agree.
     fn closer(&self, share: f64) -> u64 {
-        let most = ((MOST * self.first) as f64).max(self.eps.recip());
+        let most = (self.most as f64).max(self.eps.recip());
         (most * (share / LARGE).min(1.0)) as u64
     }
 
@@ -312,7 +327,7 @@ impl<'a> FacetTransport<'a> {
         closer: u64,
         allowed: f64,
     ) -> (MixedPair, u64) {
-        let most = MOST * self.first;
+        let most = self.most;
         let asked = whole / allowed;
         let fewest = FEWEST.min(asked as u64).max(self.first);
         let mut segments = self.segments(row, column);
@@ -321,8 +336,7 @@ impl<'a> FacetTransport<'a> {
             segments.send((2 * segments.sent()).min(most));
         }
         if segments.agree() {
-            // Where it is not looked up which pairs are clear, too many would have as many.
-            let missed = if self.finds_clear { (asked / MISSED).min(most as f64) as u64 } else { 0 };
+            let missed = (asked / MISSED).min(most as f64) as u64;
             segments.send(closer.max(missed));
         }
         if !segments.agree() {
@@ -360,17 +374,24 @@ impl Counts {
 }
 
 impl FirstLook {
-    /// Takes a pair that is decided about to be seen wholly, or of which the first segments tell this.
-    fn take(&mut self, column: usize, whole: f64, is_far: bool, is_decided: bool, segments: &Segments) {
+    /// Takes a pair that is clear.
+    fn push(&mut self, column: usize, whole: f64, is_far: bool) {
+        self.count(is_far);
+        self.counts.exact += usize::from(!is_far);
+        self.pairs.push(column, whole);
+    }
+
+    /// Takes a pair of which the first segments tell this.
+    fn push_open(&mut self, column: usize, whole: f64, is_far: bool, segments: &Segments) {
+        self.count(is_far);
+        self.pairs.push_open(column, whole * segments.part());
+        self.whole.push(whole);
+    }
+
+    fn count(&mut self, is_far: bool) {
         match is_far {
             true => self.counts.pairs.separated += 1,
             false => self.counts.pairs.contour += 1,
         }
-        if is_decided {
-            self.counts.exact += usize::from(!is_far);
-            return self.pairs.push(column, whole);
-        }
-        self.pairs.push_open(column, whole * segments.part());
-        self.whole.push(whole);
     }
 }

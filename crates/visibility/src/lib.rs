@@ -57,7 +57,7 @@ use obstacle::{Bend, Obstacle};
 pub use screens::End;
 use screens::Screens;
 pub use shadows::Shadows;
-pub use shaft::{Between, FlatEnd, Neighbours};
+pub use shaft::{BetweenGroups, FlatEnd, Neighbours, Normals, Places};
 pub use shells::Place;
 use shells::Shells;
 use silhouette_mesh::SilhouetteMesh;

@@ -5,15 +5,16 @@
 //! M. C. Lin, D. Manocha, SIGGRAPH 1996, 171-180). A surface hides nothing that lies behind either end, that has both
 //! ends on one side of its plane, or that a plane separates from both ([`radiosity_geom::separated`]).
 //!
-//! Of shafts from one surface to many beside each other it is looked up once for all what reaches into them.
+//! Of surfaces beside each other it is looked up once for all what reaches into the shafts between them and others
+//! beside each other, and of these what stands before each: shafts between hulls of several hold those between each
+//! (shaft culling: E. Haines, J. Wallace, *Photorealistic Rendering in Computer Graphics*, 1994, 122-138).
 
-use radiosity_geom::{Aabb, COINCIDENT, DVec3, Plane, separated};
+use radiosity_geom::{Aabb, COINCIDENT, DVec3, Plane, separated, separates, separating};
+use smallvec::SmallVec;
 
 use super::Visibility;
 use crate::bounding_ball::Ball;
-
-/// Most surfaces that are kept as what may stand before many others. Chosen: to look them up for each takes no longer.
-const MOST_KEPT: usize = 200;
+use crate::obstacle::Obstacle;
 
 /// A flat surface at an end of a shaft.
 #[derive(Clone, Copy, Debug)]
@@ -40,32 +41,86 @@ impl FlatEnd<'_> {
     }
 }
 
-/// Surfaces beside each other, at the ends of many shafts.
+/// Flat surfaces beside each other, at the ends of many shafts.
 #[derive(Clone, Debug)]
 pub struct Neighbours {
-    /// The corners of the box around them.
-    corners: [DVec3; 8],
+    /// Their planes.
+    planes: Vec<Plane>,
+    /// Their corners, each once.
+    corners: Vec<DVec3>,
     ball: Ball,
+    /// Length that counts as none to each of them.
+    room: f64,
 }
 
 impl Neighbours {
-    /// All that lies within a box.
-    pub fn within(bounds: &Aabb) -> Self {
-        Self { corners: bounds.corners(), ball: Ball::over(bounds) }
+    /// These surfaces.
+    pub fn of(ends: &[FlatEnd<'_>]) -> Self {
+        let mut corners: Vec<DVec3> = ends.iter().flat_map(|end| end.hull).copied().collect();
+        corners.sort_by_key(|corner| corner.to_array().map(f64::to_bits));
+        corners.dedup();
+        Self {
+            planes: ends.iter().map(|end| end.plane).collect(),
+            ball: Ball::around(&corners),
+            corners,
+            room: ends.iter().map(FlatEnd::room).fold(f64::INFINITY, f64::min),
+        }
+    }
+
+    /// Whether no point lies before any of them.
+    fn have_behind(&self, points: &[DVec3]) -> bool {
+        self.planes.iter().all(|plane| points.iter().all(|x| plane.height(*x) <= self.room))
     }
 }
 
-/// Surfaces that may stand between one and its others; none where they are too many to be kept.
+/// Surfaces that may stand between those of two groups.
 #[derive(Clone, Debug)]
-pub struct Between(Option<Vec<Standing>>);
+pub struct BetweenGroups(Vec<Standing>);
 
-/// A surface that may stand between others.
+/// A surface that may stand between those of two groups.
 #[derive(Clone, Copy, Debug)]
 struct Standing {
     surface: usize,
     /// Its plane, if it is flat.
     plane: Option<Plane>,
-    sides: Sides,
+    /// Sides of that on which either group lies.
+    sides: [Sides; 2],
+    /// The group that it is nearer to.
+    nearer: usize,
+}
+
+/// Which of the surfaces between two groups may stand between one of the one and all of the other.
+#[derive(Clone, Debug, Default)]
+pub struct Places(SmallVec<[u64; 2]>);
+
+impl Places {
+    /// Those of both.
+    fn shared<'a>(&'a self, other: &'a Self) -> impl Iterator<Item = usize> + 'a {
+        let words = self.0.iter().zip(&other.0).map(|(one, other)| one & other).enumerate();
+        words.flat_map(|(word, bits)| {
+            (0..64).filter(move |bit| bits >> bit & 1 == 1).map(move |bit| 64 * word + bit)
+        })
+    }
+
+    /// Whether there are none of both.
+    pub fn are_apart(&self, other: &Self) -> bool {
+        self.0.iter().zip(&other.0).all(|(one, other)| one & other == 0)
+    }
+}
+
+/// Normals of planes that have separated each surface from others, the last two, tried first for others beside these.
+#[derive(Clone, Debug)]
+pub struct Normals(Vec<[DVec3; 2]>);
+
+impl Normals {
+    /// Whether one of them separates a surface from two hulls.
+    fn separate(&self, surface: usize, hulls: [&[DVec3]; 3], room: f64) -> bool {
+        self.0[surface].iter().any(|normal| separates(*normal, hulls, room))
+    }
+
+    fn keep(&mut self, surface: usize, normal: DVec3) {
+        self.0[surface] = [normal, self.0[surface][0]];
+    }
 }
 
 /// Sides of a plane on which all of some points lie.
@@ -128,33 +183,84 @@ impl Capsule {
 }
 
 impl Visibility {
-    /// The surfaces that may stand between one and what lies among its `neighbours`.
-    pub fn between(&self, end: FlatEnd<'_>, neighbours: &Neighbours) -> Between {
-        let mut kept = Vec::new();
-        for surface in self.standing_in(Capsule::around(&end.ball, &neighbours.ball)) {
-            let standing = self.standing_beside(surface, &end);
-            let others = Sides::of(&neighbours.corners, standing.plane, end.room());
-            if end.has_behind(&self.obstacles[surface].hull) || standing.sides.are_shared(others) {
-                continue;
-            }
-            if kept.len() == MOST_KEPT {
-                return Between(None);
-            }
-            kept.push(standing);
-        }
-        Between(Some(kept))
+    /// No normals yet.
+    pub fn no_normals(&self) -> Normals {
+        Normals(vec![[DVec3::ZERO; 2]; self.obstacles.len()])
     }
 
-    /// Whether nothing can stand between two flat surfaces, of what may stand between the first one and neighbours of
-    /// the other.
-    pub fn is_clear(&self, ends: [FlatEnd<'_>; 2], between: &Between) -> bool {
-        let [a, b] = &ends;
-        match between {
-            Between(Some(kept)) => kept.iter().all(|standing| !self.may_hide(standing, ends)),
-            Between(None) => self
-                .standing_in(Capsule::around(&a.ball, &b.ball))
-                .all(|surface| !self.may_hide(&self.standing_beside(surface, a), ends)),
+    /// The surfaces that may stand between those of two groups, as far as these normals for surfaces near either tell.
+    pub fn between_groups(&self, [a, b]: [&Neighbours; 2], normals: &[Normals; 2]) -> BetweenGroups {
+        let room = a.room.min(b.room);
+        let may_hide = |surface: usize| {
+            let Obstacle { hull, ball, .. } = &self.obstacles[surface];
+            if ball.misses_between(&a.ball, &b.ball) {
+                return None;
+            }
+            let [to_a, to_b] = [a, b].map(|group| group.ball.center().distance_squared(ball.center()));
+            let nearer = usize::from(to_b < to_a);
+            if normals[nearer].separate(surface, [&a.corners, &b.corners, hull], room) {
+                return None;
+            }
+            let plane = self.plane_of(surface);
+            let sides = [a, b].map(|group| Sides::of(&group.corners, plane, group.room));
+            if sides[0].are_shared(sides[1]) || a.have_behind(hull) || b.have_behind(hull) {
+                return None;
+            }
+            Some(Standing { surface, plane, sides, nearer })
+        };
+        BetweenGroups(self.standing_in(Capsule::around(&a.ball, &b.ball)).filter_map(may_hide).collect())
+    }
+
+    /// Which of the surfaces between two groups may stand between one of the group `own`, 0 or 1, and all of the other:
+    /// of those that are nearer to its own group; any other may.
+    pub fn between(
+        &self,
+        end: FlatEnd<'_>,
+        (own, groups): (usize, [&Neighbours; 2]),
+        between: &BetweenGroups,
+        normals: &mut Normals,
+    ) -> Places {
+        let other = groups[1 - own];
+        let room = end.room().min(other.room);
+        let mut may_hide = |standing: &Standing| {
+            let Standing { surface, plane, sides, nearer } = *standing;
+            let Obstacle { hull, ball, .. } = &self.obstacles[surface];
+            if nearer != own {
+                return true;
+            }
+            if normals.separate(surface, [end.hull, &other.corners, hull], room)
+                || Sides::of(end.hull, plane, end.room()).are_shared(sides[1 - own])
+                || end.has_behind(hull)
+                || ball.misses_between(&end.ball, &other.ball)
+                || self.is_own(surface, end)
+            {
+                return false;
+            }
+            let found = separating(end.hull, &other.corners, hull, room);
+            found.into_iter().for_each(|normal| normals.keep(surface, normal));
+            found.is_none()
+        };
+        let mut places = SmallVec::from_elem(0, between.0.len().div_ceil(64));
+        for (place, standing) in between.0.iter().enumerate() {
+            places[place / 64] |= u64::from(may_hide(standing)) << (place % 64);
         }
+        Places(places)
+    }
+
+    /// Whether nothing can stand between two flat surfaces, of what may stand between one and neighbours of the other
+    /// both ways.
+    pub fn is_clear(&self, [a, b]: [FlatEnd<'_>; 2], between: &BetweenGroups, places: [&Places; 2]) -> bool {
+        let room = a.room().min(b.room());
+        let may_hide = |place: usize| {
+            let Standing { surface, plane, .. } = between.0[place];
+            let Obstacle { hull, ball, .. } = &self.obstacles[surface];
+            let sides = |end: FlatEnd<'_>| Sides::of(end.hull, plane, end.room());
+            !sides(a).are_shared(sides(b))
+                && ![a, b].iter().any(|end| end.has_behind(hull) || self.is_own(surface, *end))
+                && !ball.misses_between(&a.ball, &b.ball)
+                && !separated(a.hull, b.hull, hull, room)
+        };
+        !places[0].shared(places[1]).any(may_hide)
     }
 
     /// The surfaces that can stand between others and whose boxes reach into a capsule.
@@ -162,28 +268,16 @@ impl Visibility {
         self.standing_tree.search(move |bounds| !capsule.misses(bounds)).map(|place| self.standing[place])
     }
 
-    /// A surface, with the sides of its plane on which an end lies.
-    fn standing_beside(&self, surface: usize, end: &FlatEnd<'_>) -> Standing {
-        let obstacle = &self.obstacles[surface];
-        let region = obstacle.shape.region();
-        let plane = region.map(|region| Plane { point: obstacle.hull[0], normal: region.normal() });
-        Standing { surface, plane, sides: Sides::of(end.hull, plane, end.room()) }
+    /// Whether a surface is an end of a shaft, or of one body with it.
+    fn is_own(&self, surface: usize, end: FlatEnd<'_>) -> bool {
+        surface == end.surface || self.are_of_one_body(surface, end.surface)
     }
 
-    /// Whether a surface may reach into the shaft between two ends, beside the first of which it stands.
-    fn may_hide(&self, standing: &Standing, [a, b]: [FlatEnd<'_>; 2]) -> bool {
-        if standing.sides.are_shared(Sides::of(b.hull, standing.plane, b.room())) {
-            return false;
-        }
-        let is_own =
-            |surface: usize| surface == standing.surface || self.are_of_one_body(standing.surface, surface);
-        let obstacle = &self.obstacles[standing.surface];
-        !is_own(a.surface)
-            && !is_own(b.surface)
-            && !a.has_behind(&obstacle.hull)
-            && !b.has_behind(&obstacle.hull)
-            && !obstacle.ball.misses_between(&a.ball, &b.ball)
-            && !separated(a.hull, b.hull, &obstacle.hull, a.room().min(b.room()))
+    /// The plane of a surface, if it is flat.
+    fn plane_of(&self, surface: usize) -> Option<Plane> {
+        let obstacle = &self.obstacles[surface];
+        let region = obstacle.shape.region()?;
+        Some(Plane { point: obstacle.hull[0], normal: region.normal() })
     }
 }
 
@@ -194,6 +288,18 @@ mod tests {
 
     use super::*;
     use crate::Shadows;
+
+    /// Whether a plane separates each surface by itself from both ends, or it lies behind one.
+    fn is_clear_of_all(visibility: &Visibility, [a, b]: [FlatEnd<'_>; 2]) -> bool {
+        let room = a.room().min(b.room());
+        let keeps_out = |surface: usize| {
+            let hull = &visibility.obstacles[surface].hull;
+            [a.surface, b.surface].contains(&surface)
+                || [a, b].iter().any(|end| end.has_behind(hull))
+                || separated(a.hull, b.hull, hull, room)
+        };
+        visibility.standing().all(keeps_out)
+    }
 
     /// Triangles in a scene, and each as an end of a shaft.
     fn clear_pairs(triangles: &[[DVec3; 3]]) -> (Visibility, Vec<[usize; 2]>) {
@@ -209,11 +315,25 @@ mod tests {
             FlatEnd { surface, plane: Plane { point: hull[0], normal }, hull, ball: Ball::around(hull) }
         };
         let pairs = (0..triangles.len()).flat_map(|i| (0..i).map(move |j| [i, j]));
-        let all = Neighbours::within(&Aabb::around(triangles.iter().flatten().copied()));
+        let groups: Vec<Vec<usize>> =
+            (0..triangles.len()).collect::<Vec<_>>().chunks(3).map(<[_]>::to_vec).collect();
+        let group = |members: &Vec<usize>| {
+            Neighbours::of(&members.iter().map(|surface| end(*surface)).collect::<Vec<_>>())
+        };
+        let neighbours: Vec<Neighbours> = groups.iter().map(group).collect();
+        let mut normals = [visibility.no_normals(), visibility.no_normals()];
         let is_clear = |[i, j]: &[usize; 2]| {
             let ends = [end(*i), end(*j)];
-            let is_clear = visibility.is_clear(ends, &visibility.between(ends[0], &all));
-            assert_eq!(is_clear, visibility.is_clear(ends, &Between(None)));
+            let mut is_clear_by = |groups: [&Neighbours; 2]| {
+                let between = visibility.between_groups(groups, &normals);
+                let places = [0, 1]
+                    .map(|own| visibility.between(ends[own], (own, groups), &between, &mut normals[own]));
+                visibility.is_clear(ends, &between, places.each_ref())
+            };
+            let is_clear = is_clear_by([&neighbours[i / 3], &neighbours[j / 3]]);
+            let one_by_one = [i, j].map(|own| group(&vec![*own]));
+            assert_eq!(is_clear, is_clear_by(one_by_one.each_ref()));
+            assert_eq!(is_clear, is_clear_of_all(&visibility, ends));
             is_clear
         };
         let clear = pairs.filter(is_clear).collect();

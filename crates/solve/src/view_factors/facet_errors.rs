@@ -157,11 +157,6 @@ impl FacetErrors {
         let FacetExchanges { rows, first, .. } = exchanges;
         let mut found = vec![RowErrors::default(); rows.len()];
         for (row, pairs) in rows.iter().enumerate() {
-            for (column, exchange) in pairs.decided() {
-                if let Some(pair) = exchanges.decided(exchange) {
-                    [row, column].iter().for_each(|end| found[*end].take(&pair, *first));
-                }
-            }
             for (column, pair) in pairs.mixed() {
                 [row, column].iter().for_each(|end| found[*end].take(pair, *first));
             }

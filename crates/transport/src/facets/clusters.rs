@@ -1,7 +1,7 @@
 //! Clusters of facets that lie beside each other.
 
 use radiosity_geom::Aabb;
-use radiosity_visibility::Neighbours;
+use radiosity_visibility::{FlatEnd, Neighbours};
 
 use super::facet::Facet;
 
@@ -11,15 +11,23 @@ const MOST: usize = 16;
 /// Facets by clusters that lie beside each other.
 #[derive(Debug)]
 pub(super) struct Clusters {
-    list: Vec<Neighbours>,
-    /// The cluster of each facet.
-    of: Vec<u32>,
+    list: Vec<Cluster>,
+    /// The cluster of each facet, and its place among the members of that.
+    of: Vec<(u32, u32)>,
+}
+
+/// Facets that lie beside each other.
+#[derive(Debug)]
+pub(super) struct Cluster {
+    /// Their numbers, ascending.
+    pub members: Vec<u32>,
+    pub neighbours: Neighbours,
 }
 
 impl Clusters {
     /// Clusters of all facets, by halves along the longest side of the box around their centres.
     pub(super) fn of(facets: &[Facet]) -> Self {
-        let mut clusters = Self { list: Vec::new(), of: vec![0; facets.len()] };
+        let mut clusters = Self { list: Vec::new(), of: vec![(0, 0); facets.len()] };
         let mut all: Vec<u32> = (0..facets.len() as u32).collect();
         clusters.divide(facets, &mut all);
         clusters
@@ -37,23 +45,22 @@ impl Clusters {
             self.divide(facets, low);
             return self.divide(facets, high);
         }
-        members.iter().for_each(|member| self.of[*member as usize] = self.list.len() as u32);
-        let corners = members.iter().flat_map(|member| facets[*member as usize].end().hull);
-        self.list.push(Neighbours::within(&Aabb::around(corners.copied())));
+        members.sort_unstable();
+        for (place, member) in (0..).zip(members.iter()) {
+            self.of[*member as usize] = (self.list.len() as u32, place);
+        }
+        let ends: Vec<FlatEnd> = members.iter().map(|member| facets[*member as usize].end()).collect();
+        self.list.push(Cluster { members: members.to_vec(), neighbours: Neighbours::of(&ends) });
     }
 
-    /// Number of clusters.
-    pub(super) fn count(&self) -> usize {
-        self.list.len()
+    /// All of them.
+    pub(super) fn list(&self) -> &[Cluster] {
+        &self.list
     }
 
-    /// The number of the cluster of a facet.
-    pub(super) fn number(&self, facet: usize) -> usize {
-        self.of[facet] as usize
-    }
-
-    /// A cluster.
-    pub(super) fn cluster(&self, number: usize) -> &Neighbours {
-        &self.list[number]
+    /// The number of the cluster of a facet, and its place among the members of that.
+    pub(super) fn of_facet(&self, facet: usize) -> (usize, usize) {
+        let (cluster, place) = self.of[facet];
+        (cluster as usize, place as usize)
     }
 }

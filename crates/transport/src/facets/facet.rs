@@ -98,17 +98,24 @@ impl Facet {
 
     /// Whether either lies in front of the other, at least in part.
     pub(super) fn sight_of(&self, other: &Self) -> Option<Sight> {
-        let [low, high] = self.heights_of(other);
-        if high <= self.flush {
-            return None;
-        }
-        let [other_low, other_high] = other.heights_of(self);
-        if other_high <= other.flush {
-            return None;
-        }
+        let are_whole = [self.has_whole_before(other)?, other.has_whole_before(self)?];
         let far = FAR * (self.radius + other.radius);
         let is_apart = self.center.distance_squared(other.center) > far * far;
-        Some(Sight { is_far: is_apart && low >= 0.0 && other_low >= 0.0 })
+        Some(Sight { is_far: is_apart && are_whole == [true; 2] })
+    }
+
+    /// Whether all of another facet lies before this one; None where nothing of it does.
+    fn has_whole_before(&self, other: &Self) -> Option<bool> {
+        // Of most the ball around it tells, without its corners.
+        let height = self.plane.height(other.center);
+        if height >= other.radius + self.flush {
+            return Some(true);
+        }
+        if height <= -other.radius {
+            return None;
+        }
+        let [low, high] = self.heights_of(other);
+        (high > self.flush).then_some(low >= 0.0)
     }
 
     /// Number of its element.

@@ -26,7 +26,6 @@ impl FacetExchanges {
             let mut mixed = pairs.mixed().peekable();
             for (column, exchange) in pairs.exchanges.iter() {
                 let known = mixed.next_if(|(other, _)| *other == column).map(|(_, pair)| *pair);
-                let known = known.or_else(|| self.decided(exchange));
                 let of_pair = known.map_or(0.0, |pair| pair.deviation(self.first, ratio));
                 let deviation = of_pair.hypot(BY_POINTS * exchange);
                 [row, column].iter().for_each(|end| sums[*end] += deviation * deviation);
@@ -44,13 +43,6 @@ impl FacetExchanges {
         (blocks.statistics.samples, blocks.statistics.distinct) = (self.samples, self.samples);
         blocks.statistics.rays = self.segments;
         blocks
-    }
-
-    /// A pair of this exchange that the first segments took to be seen wholly; None where it is clear.
-    pub fn decided(&self, exchange: f64) -> Option<MixedPair> {
-        let missed = 1.0 / (self.first as f32 + 2.0);
-        let seen = MixedPair { whole: exchange, part: 1.0, variance: missed * missed };
-        if self.are_clear { None } else { Some(seen) }
     }
 
     /// Pairs of which a part is seen to be hidden for each that was looked at again and whose segments agree.

@@ -57,15 +57,6 @@ impl RowPairs {
         self.pairs = pairs;
     }
 
-    /// Exchanges of the pairs that were not looked at again, by columns.
-    pub fn decided(&self) -> impl Iterator<Item = (usize, f64)> {
-        let mut mixed = self.mixed.iter().peekable();
-        let pairs = self.exchanges.iter().enumerate();
-        pairs
-            .filter(move |(place, _)| mixed.next_if(|other| **other as usize == *place).is_none())
-            .map(|(_, pair)| pair)
-    }
-
     /// Columns of the pairs that were looked at again, and what is known of these.
     pub fn mixed(&self) -> impl Iterator<Item = (usize, &MixedPair)> {
         self.open().zip(&self.pairs)

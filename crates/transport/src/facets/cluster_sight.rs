@@ -1,0 +1,96 @@
+//! What may stand between facets of one cluster and others, looked up for all pairs of two clusters at once.
+
+use radiosity_visibility::{BetweenGroups, Normals, Places, Visibility};
+
+use super::clusters::Clusters;
+use super::facet::Facet;
+
+/// What may stand between facets of one cluster and those of any other, as far as it has been asked for.
+#[derive(Debug)]
+pub(super) struct ClusterSight<'a> {
+    facets: &'a [Facet],
+    clusters: &'a Clusters,
+    visibility: &'a Visibility,
+    /// The number of the cluster.
+    own: usize,
+    /// What may stand between the cluster and each.
+    past: Vec<Option<PastCluster>>,
+    /// Planes that keep surfaces out, of facets of the cluster and of others.
+    normals: [Normals; 2],
+}
+
+/// What may stand between two clusters.
+#[derive(Debug)]
+struct PastCluster {
+    between: BetweenGroups,
+    /// Of that, what may stand between the first one and each facet of the other.
+    others: Vec<Places>,
+}
+
+/// What may stand between a facet of that cluster and others.
+#[derive(Debug)]
+pub(super) struct FacetSight<'a, 'b> {
+    cluster: &'b mut ClusterSight<'a>,
+    own: &'a Facet,
+    /// What may stand between the facet and each cluster.
+    places: Vec<Option<Places>>,
+}
+
+/// Whether a pair is clear, as far as clusters tell.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Passage<'a> {
+    between: &'a BetweenGroups,
+    places: [&'a Places; 2],
+}
+
+impl<'a> ClusterSight<'a> {
+    /// The sight of the cluster of this number.
+    pub(super) fn of(
+        facets: &'a [Facet],
+        clusters: &'a Clusters,
+        visibility: &'a Visibility,
+        own: usize,
+    ) -> Self {
+        let past = clusters.list().iter().map(|_| None).collect();
+        let normals = [visibility.no_normals(), visibility.no_normals()];
+        Self { facets, clusters, visibility, own, past, normals }
+    }
+
+    /// The sight of one of its facets.
+    pub(super) fn of_facet(&mut self, facet: usize) -> FacetSight<'a, '_> {
+        let (own, places) = (&self.facets[facet], vec![None; self.clusters.list().len()]);
+        FacetSight { cluster: self, own, places }
+    }
+}
+
+impl FacetSight<'_, '_> {
+    /// What may stand between the facet and another one.
+    pub(super) fn past(&mut self, other: usize) -> Passage<'_> {
+        let ClusterSight { facets, clusters, visibility, own, past, normals } = &mut *self.cluster;
+        let (number, place) = clusters.of_facet(other);
+        let groups = [*own, number].map(|number| &clusters.list()[number].neighbours);
+        let PastCluster { between, others } = past[number].get_or_insert_with(|| {
+            let between = visibility.between_groups(groups, normals);
+            let places = |member: &u32| {
+                visibility.between(facets[*member as usize].end(), (1, groups), &between, &mut normals[1])
+            };
+            let others = clusters.list()[number].members.iter().map(places).collect();
+            PastCluster { between, others }
+        });
+        let places = self.places[number]
+            .get_or_insert_with(|| visibility.between(self.own.end(), (0, groups), between, &mut normals[0]));
+        Passage { between, places: [places, &others[place]] }
+    }
+}
+
+impl Passage<'_> {
+    /// Whether nothing may stand there.
+    pub(super) fn is_open(&self) -> bool {
+        self.places[0].are_apart(self.places[1])
+    }
+
+    /// Whether nothing can stand between these two.
+    pub(super) fn is_clear(&self, [one, other]: [&Facet; 2], visibility: &Visibility) -> bool {
+        visibility.is_clear([one.end(), other.end()], self.between, self.places)
+    }
+}
