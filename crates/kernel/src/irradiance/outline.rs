@@ -19,15 +19,15 @@
 //! J = 2/√(near far) · Δ atan(√(near/far) tan ½ψ) .
 //! ```
 //!
-//! No digits cancel however near x is to the circle; about its axis, where Q is small, the integrand has no
-//! peak and goes by points. 0 ≤ E ≤ 1.
+//! No digits cancel however near x is to the circle; near its axis, where Q is small, the integrand has no
+//! peak and goes by points, and on it by ∫ (A + B cos ψ + C sin ψ)/P. 0 ≤ E ≤ 1.
 //!
 //! Reference: P. Moon, *The scientific basis of illuminating engineering* (1936), for the contour integral.
 
 use std::f64::consts::{PI, TAU};
 
 use radiosity_core::gauss::{Legendre, Rule};
-use radiosity_geom::{DVec2, DVec3};
+use radiosity_geom::{DVec2, DVec3, ROUNDING};
 
 use crate::irradiance::lambert;
 
@@ -73,7 +73,7 @@ pub fn within(n: DVec3, pieces: &[Piece]) -> f64 {
 }
 
 /// n·(p × dp)/|p|² along a segment.
-fn between(n: DVec3, from: DVec3, to: DVec3) -> f64 {
+pub(super) fn between(n: DVec3, from: DVec3, to: DVec3) -> f64 {
     lambert::side(n, from.normalize_or_zero(), to.normalize_or_zero())
 }
 
@@ -124,14 +124,37 @@ impl Sum {
     }
 }
 
+impl Piece {
+    /// The place after a part of it.
+    pub(super) fn at(&self, part: f64) -> DVec3 {
+        match self {
+            Self::Segment([from, to]) => from.lerp(*to, part),
+            Self::Arc(arc) => arc.at(arc.angles[0] + part * (arc.angles[1] - arc.angles[0])),
+        }
+    }
+
+    /// ∫ n·(p × dp)/|p|² along it, above the horizon.
+    pub(super) fn integral(&self, n: DVec3) -> f64 {
+        match self {
+            Self::Segment([from, to]) => between(n, *from, *to),
+            Self::Arc(arc) => arc.integral(n, arc.angles),
+        }
+    }
+}
+
 impl Arc {
+    /// Where it begins, and where it ends.
+    pub(super) fn ends(&self) -> [DVec3; 2] {
+        self.angles.map(|angle| self.at(angle))
+    }
+
     fn at(&self, angle: f64) -> DVec3 {
         let (sin, cos) = angle.sin_cos();
         self.center + cos * self.axes[0] + sin * self.axes[1]
     }
 
     /// The ranges of its angles above a horizon, in order.
-    fn above(&self, n: DVec3) -> Vec<[f64; 2]> {
+    pub(super) fn above(&self, n: DVec3) -> Vec<[f64; 2]> {
         let [first, last] = self.angles;
         let (low, high) = (first.min(last), first.max(last));
         let swing = DVec2::from_array(self.axes.map(|axis| n.dot(axis)));
@@ -189,6 +212,11 @@ struct Ratio {
 
 impl Ratio {
     fn integral(&self, angles @ [first, last]: [f64; 2]) -> f64 {
+        if self.swing <= ROUNDING * self.near {
+            let ([from, to], [start, end]) = ([first.sin(), last.sin()], [first.cos(), last.cos()]);
+            return (self.even * (last - first) + self.cosine * (to - from) - self.sine * (end - start))
+                / self.near;
+        }
         if self.swing <= NEARLY_EVEN * self.near {
             const RULE: Rule<POINTS> = Legendre::<POINTS>::RULE;
             let half = 0.5 * (last - first);
