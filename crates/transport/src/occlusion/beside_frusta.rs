@@ -2,8 +2,9 @@
 //! between.
 //!
 //! The inner element is a polygon, and all frusta lie on its front: then all of it within the cone over their
-//! outlines is hidden from before it. They may stand on it. The outer element lies outside of all frusta, and
-//! none has a lid in its plane: what it hides would jump along the rim.
+//! outlines is hidden from before it. They may stand on it, but not touch it at a point or along a generator: there
+//! outlines are tangent to the sides of what lies beyond them, and rounding tells which part is hidden. The outer
+//! element lies outside of all frusta and touches none: what a lid in its plane hides would jump along the rim.
 
 use radiosity_elements::Element;
 use radiosity_geom::{COINCIDENT, DVec3, separated};
@@ -36,15 +37,21 @@ pub(crate) fn are_apart(outer: &Element, bodies: &[usize], visibility: &Visibili
         && !bodies.iter().any(|near| bodies.iter().any(|far| comes_before(*near, *far)))
 }
 
-/// Whether all of a frustum lies on the front of a polygon.
+/// Whether all of a frustum lies on the front of a polygon, and touches it by a lid at the most.
 fn is_before(element: &Element, frustum: &Frustum) -> bool {
-    element.plane.is_some_and(|plane| frustum.heights(&plane)[0] >= -COINCIDENT * frustum.size())
+    let stands = element.level.is_some_and(|level| frustum.stands_on(&level));
+    is_above(element, frustum)
+        || (stands && element.plane.is_some_and(|plane| frustum.heights(&plane)[1] > 0.0))
 }
 
-/// Whether an element lies outside a frustum with the hull `points`, which does not stand on it; false where
-/// that is not certain.
+/// Whether all of a frustum lies above the plane of a polygon.
+fn is_above(element: &Element, frustum: &Frustum) -> bool {
+    element.plane.is_some_and(|plane| frustum.heights(&plane)[0] > COINCIDENT * frustum.size())
+}
+
+/// Whether an element lies outside a frustum with the hull `points`, which does not touch it; false where that
+/// is not certain.
 fn is_outside(element: &Element, frustum: &Frustum, points: &[DVec3]) -> bool {
-    let stands = element.level.is_some_and(|level| frustum.stands_on(&level));
-    let is_apart = || separated(&element.hull, &element.hull, points, COINCIDENT * frustum.size());
-    !stands && (is_before(element, frustum) || is_apart())
+    let touching = COINCIDENT * frustum.size();
+    is_above(element, frustum) || separated(&element.hull, &element.hull, points, -touching)
 }
