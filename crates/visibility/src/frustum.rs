@@ -43,7 +43,7 @@ pub struct Frustum {
 impl Frustum {
     /// The solid that a surface with this meridian closes, by itself or with one of `others` as its lid; None
     /// for rings, and for walls that are open at both ends.
-    pub(super) fn of(meridian: &Meridian, others: impl Iterator<Item = (usize, Meridian)>) -> Option<Self> {
+    pub fn of(meridian: &Meridian, others: impl Iterator<Item = (usize, Meridian)>) -> Option<Self> {
         let rounding = ROUNDING * meridian.size();
         let [low, high] = meridian.heights();
         let [least, most] = meridian.radii();

@@ -27,7 +27,8 @@ impl<'a> RoundShadow<'a> {
         Self { outline: cone.outline(), body: Body::Ball(cone) }
     }
 
-    pub(crate) fn of_frustum(frustum: &'a Frustum, eye: DVec3) -> Option<Self> {
+    /// The shadow of a frustum from `eye`; None where `eye` is not outside.
+    pub fn of_frustum(frustum: &'a Frustum, eye: DVec3) -> Option<Self> {
         Some(Self { outline: frustum.outline(eye)?, body: Body::Frustum { eye, frustum } })
     }
 

@@ -27,7 +27,8 @@
 use std::f64::consts::{PI, TAU};
 
 use radiosity_core::gauss::{Legendre, Rule};
-use radiosity_geom::{DVec2, DVec3, ROUNDING};
+use radiosity_geom::{COINCIDENT, DVec2, DVec3, ROUNDING};
+use smallvec::SmallVec;
 
 use crate::irradiance::lambert;
 
@@ -35,6 +36,9 @@ use crate::irradiance::lambert;
 const NEARLY_EVEN: f64 = 0.05;
 /// Points of a turn for these: poles at cos ψ = −P/Q leave less than rounding.
 const POINTS: usize = 32;
+
+/// Half the angle (rad) of an arc that only touches a plane: it goes beyond by half its square, 5e-13 radii.
+const TOUCHING: f64 = 1e-6;
 
 /// A part of an outline, relative to the point that sees it.
 #[derive(Clone, Copy, Debug)]
@@ -129,8 +133,34 @@ impl Piece {
     pub(super) fn at(&self, part: f64) -> DVec3 {
         match self {
             Self::Segment([from, to]) => from.lerp(*to, part),
-            Self::Arc(arc) => arc.at(arc.angles[0] + part * (arc.angles[1] - arc.angles[0])),
+            Self::Arc(arc) => arc.at(arc.angle(part)),
         }
+    }
+
+    /// The part of it over a range of 0 to 1.
+    pub(super) fn part(&self, range: [f64; 2]) -> Self {
+        match self {
+            Self::Segment(_) => Self::Segment(range.map(|part| self.at(part))),
+            Self::Arc(arc) => Self::Arc(Arc { angles: range.map(|part| arc.angle(part)), ..*arc }),
+        }
+    }
+
+    /// Where it passes a plane through the point with a unit normal, as parts of it: also its ends where they
+    /// lie in the plane within rounding, and not where it only touches.
+    pub(super) fn crossings(&self, normal: DVec3) -> SmallVec<[f64; 4]> {
+        let [low, high] = [0.0, 1.0].map(|end| {
+            let place = self.at(end);
+            (normal.dot(place), COINCIDENT * place.length())
+        });
+        let ends = [(low, 0.0), (high, 1.0)];
+        let level = ends.into_iter().filter(|((height, least), _)| height.abs() <= *least);
+        let mut found: SmallVec<[f64; 4]> = level.map(|(_, part)| part).collect();
+        match self {
+            Self::Segment(_) if (low.0 > 0.0) != (high.0 > 0.0) => found.push(low.0 / (low.0 - high.0)),
+            Self::Segment(_) => {}
+            Self::Arc(arc) => found.extend(arc.crossings(normal)),
+        }
+        found
     }
 
     /// ∫ n·(p × dp)/|p|² along it, above the horizon.
@@ -153,8 +183,26 @@ impl Arc {
         self.center + cos * self.axes[0] + sin * self.axes[1]
     }
 
+    /// ψ after a part of it.
+    fn angle(&self, part: f64) -> f64 {
+        self.angles[0] + part * (self.angles[1] - self.angles[0])
+    }
+
+    /// Where it passes a plane through the point, as parts of it.
+    fn crossings(&self, normal: DVec3) -> impl Iterator<Item = f64> {
+        let [first, last] = self.angles;
+        let low = first.min(last);
+        let swing = DVec2::from_array(self.axes.map(|axis| normal.dot(axis)));
+        let (middle, half) = (swing.y.atan2(swing.x), (-normal.dot(self.center) / swing.length()).acos());
+        let roots = [middle - half, middle + half].map(|root| root + TAU * ((low - root) / TAU).ceil());
+        let parts = roots.map(|root| (root - first) / (last - first));
+        // NaN where it never meets the plane.
+        let passes = half > TOUCHING && half < PI - TOUCHING;
+        parts.into_iter().filter(move |part| passes && *part > 0.0 && *part < 1.0)
+    }
+
     /// The ranges of its angles above a horizon, in order.
-    pub(super) fn above(&self, n: DVec3) -> Vec<[f64; 2]> {
+    fn above(&self, n: DVec3) -> Vec<[f64; 2]> {
         let [first, last] = self.angles;
         let (low, high) = (first.min(last), first.max(last));
         let swing = DVec2::from_array(self.axes.map(|axis| n.dot(axis)));

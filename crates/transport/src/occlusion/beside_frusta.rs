@@ -3,8 +3,8 @@
 //!
 //! The inner element is a polygon, and all frusta lie on its front: then all of it within the cone over their
 //! outlines is hidden from before it. They may stand on it, but not touch it at a point or along a generator: there
-//! outlines are tangent to the sides of what lies beyond them, and rounding tells which part is hidden. The outer
-//! element lies outside of all frusta and touches none: what a lid in its plane hides would jump along the rim.
+//! outlines are tangent to its sides from wherever they are seen. The outer element lies outside of all frusta and
+//! touches none: what a lid in its plane hides would jump along the rim.
 
 use radiosity_elements::Element;
 use radiosity_geom::{COINCIDENT, DVec3, separated};
