@@ -15,6 +15,7 @@ mod furnace;
 mod grazing;
 mod horizons;
 mod paper;
+mod past_frusta;
 mod polyhedra;
 mod room;
 mod sampled;

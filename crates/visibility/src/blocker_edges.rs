@@ -31,7 +31,12 @@ enum Side {
 impl BlockerEdge {
     /// The edges of a single polygon.
     pub(super) fn all_of(polygon: &[DVec3]) -> impl Iterator<Item = Self> {
-        sides(polygon).map(|ends| Self { ends, faces: SmallVec::new() })
+        sides(polygon).map(Self::alone)
+    }
+
+    /// An edge that stands for a part of an outline from any side.
+    pub(super) fn alone(ends: [DVec3; 2]) -> Self {
+        Self { ends, faces: SmallVec::new() }
     }
 
     /// Edges that stand for the outline of a ball from any side: those of an octahedron whose corners lie
@@ -42,7 +47,7 @@ impl BlockerEdge {
             center + BEYOND_BALL * radius * if k.is_multiple_of(2) { axis } else { -axis }
         };
         let pairs = (0..6).flat_map(|k| (0..k).map(move |l| [k, l])).filter(|[k, l]| k / 2 != l / 2);
-        pairs.map(move |pair: [usize; 2]| Self { ends: pair.map(corner), faces: SmallVec::new() })
+        pairs.map(move |pair: [usize; 2]| Self::alone(pair.map(corner)))
     }
 
     /// Whether the edge may bound what some point in the hull of `cell` does not see of the hull of

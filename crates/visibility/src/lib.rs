@@ -6,9 +6,10 @@
 //! two hulls it meets every segment, and the pair is fully hidden. Otherwise segments are tested against the
 //! candidates alone.
 //!
-//! In order: [`tolerances`], [`blocker_edges`], [`bounding_ball`], [`shadow_volume`], `shadow_cone` and
-//! [`blocker_shadow`] (what blockers hide from a point), `cloud`, `convex_bodies`, `screens` (joined surfaces),
-//! [`silhouette_mesh`], [`Shadows`] (ways to find them), `within` (what lies in a convex solid), `obstacle` (of
+//! In order: [`tolerances`], [`blocker_edges`], [`bounding_ball`], [`shadow_volume`], [`round_outline`],
+//! `shadow_cone`, [`frustum`], [`round_shadow`] and [`blocker_shadow`] (what blockers hide from a point),
+//! `cloud`, `convex_bodies`, `screens` (joined surfaces), [`silhouette_mesh`], [`Shadows`] (ways to find
+//! them), `within` (what lies in a convex solid), `obstacle` (of
 //! what obstacles are made), `shells` (balls with something within), `rays`, [`Surroundings`] and `whole` (what
 //! rays meet first, about a point, what hides as a whole), `screened` (what joined surfaces hide), `shaft`
 //! (whether anything can stand between flat surfaces), [`Visibility`], the noun of the crate; then what a scene
@@ -22,7 +23,10 @@ mod golden_spiral;
 pub mod blocker_edges;
 pub mod bounding_ball;
 pub mod shadow_volume;
+pub mod round_outline;
 mod shadow_cone;
+pub mod frustum;
+pub mod round_shadow;
 pub mod blocker_shadow;
 mod cloud;
 mod convex_bodies;
@@ -53,6 +57,7 @@ use radiosity_work::interruption::check_interrupt;
 use bounding_ball::Ball;
 use cloud::Cloud;
 use convex_bodies::{Bodies, Face, twins};
+use frustum::Frustum;
 use obstacle::{Bend, Obstacle};
 pub use screens::End;
 use screens::Screens;
@@ -79,6 +84,8 @@ pub struct Visibility {
     /// Hierarchy of the standing surfaces.
     standing_tree: Bvh,
     bodies: Bodies,
+    /// The solids that curved surfaces close, where they lie between two coaxial circles.
+    frusta: Vec<Option<Frustum>>,
     screens: Screens,
     /// Whole balls with something within; none without shadows.
     shells: Shells,
@@ -117,6 +124,7 @@ impl Visibility {
         let rays = RayTree::new(scene.surfaces.iter().map(|s| Arc::clone(&s.shape)).collect());
         let (bodies, screens) = bodies(&obstacles, &cloud);
         let places = places(&obstacles);
+        let frusta = frusta(&obstacles, &boxes, &tree);
         let unseen = Self {
             obstacles,
             boxes,
@@ -125,6 +133,7 @@ impl Visibility {
             standing: Vec::new(),
             standing_tree: Bvh::build(&[]),
             bodies,
+            frusta,
             screens,
             shells: Shells::default(),
             places,
@@ -301,8 +310,9 @@ impl Visibility {
         let (around_a, around_b) = (Ball::around(a), Ball::around(b));
         let reaches = move |index: &usize| {
             let Hull { ball, points } = part(*index);
-            // A plate flush before a surface reaches into the shaft by little, but hides much.
-            let tolerance = if self.obstacles[*index].pieces.is_some() { COINCIDENT } else { self.eps };
+            // A plate or a lid flush before a surface reaches into the shaft by little, but hides much.
+            let is_exact = self.obstacles[*index].pieces.is_some() || self.frusta[*index].is_some();
+            let tolerance = if is_exact { COINCIDENT } else { self.eps };
             !ball.misses_between(&around_a, &around_b) && !separated(a, b, points, tolerance * size)
         };
         blockers.iter().copied().filter(reaches)
@@ -417,12 +427,17 @@ impl Visibility {
         if let [only] = blockers { self.ball(*only) } else { None }
     }
 
-    /// Whether shadows of `blockers` are computed from outlines: all are planar or whole balls, and the mode
-    /// allows it.
+    /// The solid that a surface closes, if it lies between two coaxial circles.
+    pub fn frustum(&self, surface: usize) -> Option<&Frustum> {
+        self.frusta[surface].as_ref()
+    }
+
+    /// Whether shadows of `blockers` are computed from outlines: all are planar, whole balls or close solids
+    /// between two coaxial circles, and the mode allows it.
     pub fn has_outlines(&self, blockers: &[usize]) -> bool {
         let has_outline = |index: &usize| {
             let Obstacle { pieces, shape, .. } = &self.obstacles[*index];
-            pieces.is_some() || shape.ball().is_some()
+            pieces.is_some() || shape.ball().is_some() || self.frusta[*index].is_some()
         };
         matches!(self.shadows, Shadows::Auto | Shadows::Exact) && blockers.iter().all(has_outline)
     }
@@ -519,6 +534,18 @@ fn standing(obstacles: &[Obstacle], cloud: &Cloud, boxes: &[Aabb], eps: f64) -> 
 /// The points whose convex hull holds all obstacles.
 fn cloud_of(obstacles: &[Obstacle]) -> Cloud {
     Cloud::new(obstacles.iter().flat_map(|obstacle| obstacle.hull.iter().copied()).collect())
+}
+
+/// The solids that curved surfaces close, where they lie between two coaxial circles.
+fn frusta(obstacles: &[Obstacle], boxes: &[Aabb], tree: &Bvh) -> Vec<Option<Frustum>> {
+    let meridians: Vec<Option<Meridian>> =
+        obstacles.iter().map(|obstacle| obstacle.shape.meridian()).collect();
+    let frustum = |own: usize| {
+        let reach = boxes[own].inflate(COINCIDENT * boxes[own].diagonal());
+        let near = tree.near(&reach).into_iter().filter(|other| *other != own);
+        Frustum::of(meridians[own].as_ref()?, near.filter_map(|other| Some((other, meridians[other]?))))
+    };
+    (0..obstacles.len()).map(frustum).collect()
 }
 
 /// The convex bodies that surfaces close, and the surfaces as parts of screens.

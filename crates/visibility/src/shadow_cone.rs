@@ -20,6 +20,7 @@ use radiosity_geom::{DVec3, area_vector, clip_by_heights, quadratic, sides};
 use smallvec::SmallVec;
 
 use crate::bounding_ball::Ball;
+use crate::round_outline::RoundOutline;
 use crate::shadow_volume::{Corners, ShadowVolume};
 
 /// The shadow of a ball from a point.
@@ -77,15 +78,32 @@ impl ShadowCone {
         polygon.iter().all(|a| self.height(*a) >= 0.0 && a.dot(self.axis) >= self.depth)
     }
 
+    /// Whether a direction lies within the cone.
+    pub(crate) fn holds(&self, direction: DVec3) -> bool {
+        self.height(direction) >= 0.0
+    }
+
+    /// The circle of contact.
+    pub(crate) fn outline(&self) -> RoundOutline {
+        let scale = self.depth / self.cosine;
+        RoundOutline::circle(self.depth * self.axis, self.across.map(|unit| scale * self.sine * unit))
+    }
+
+    /// Cuts off the part of a convex polygon before the plane of the circle of contact.
+    pub(crate) fn cut(&self, polygon: &mut Corners) {
+        let beyond: SmallVec<[f64; 8]> = polygon.iter().map(|a| a.dot(self.axis) - self.depth).collect();
+        let mut kept = Corners::new();
+        if beyond.iter().any(|h| *h > 0.0) {
+            clip_by_heights(polygon, &beyond, |a| kept.push(a));
+        }
+        *polygon = kept;
+    }
+
     /// The hidden part of a convex polygon, relative to the tip; empty where nothing is.
     pub fn hidden_part(&self, polygon: &[DVec3]) -> Corners {
-        let beyond: SmallVec<[f64; 8]> = polygon.iter().map(|a| a.dot(self.axis) - self.depth).collect();
-        if !beyond.iter().any(|h| *h > 0.0) {
-            return Corners::new();
-        }
-        let mut kept = Corners::new();
-        clip_by_heights(polygon, &beyond, |a| kept.push(a));
-        self.within(&kept)
+        let mut beyond = Corners::from_slice(polygon);
+        self.cut(&mut beyond);
+        if beyond.is_empty() { beyond } else { self.within(&beyond) }
     }
 
     /// The part of a convex polygon within the cone.

@@ -12,7 +12,8 @@ const EXACT: f64 = 0.25;
 #[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
 #[serde(rename_all = "lowercase")]
 pub enum Shadows {
-    /// Shadows of planar surfaces and balls, on planar ones and within spheres, by outlines, all else by rays
+    /// Shadows of planar surfaces, balls, cans, cones and disks, on planar ones and within spheres, by outlines,
+    /// all else by rays
     #[default]
     Auto,
     /// Nothing hides anything

@@ -7,6 +7,8 @@ use super::{Hull, Visibility};
 use crate::blocker_edges::BlockerEdge;
 use crate::blocker_shadow::BlockerShadow;
 use crate::bounding_ball::Ball;
+use crate::frustum::Frustum;
+use crate::round_shadow::RoundShadow;
 use crate::shadow_cone::ShadowCone;
 use crate::shadow_volume::ShadowVolume;
 
@@ -73,18 +75,19 @@ impl Visibility {
         }
     }
 
-    /// The `surfaces` with only the first face of each body, and without those within a ball among them, whose
-    /// shadows that of the ball covers.
+    /// The `surfaces` with only the first face of each body and the first side of each sheet, and without those
+    /// within a ball or a can among them, whose shadows that of the ball covers.
     pub fn one_of_each_body(&self, surfaces: &[usize]) -> Vec<usize> {
         let is_first = |(place, surface): &(usize, &usize)| {
-            !surfaces[..*place].iter().any(|other| self.are_of_one_body(*other, **surface))
+            !surfaces[..*place].iter().any(|other| {
+                self.are_of_one_body(*other, **surface) || self.sheet(*other) == self.sheet(**surface)
+            })
         };
         let is_covered = |(place, surface): &(usize, &usize)| {
             let covers = |(at, other): (usize, &usize)| {
                 at != *place
-                    && self.ball(*other).is_some()
-                    && self.encloses(*other, **surface)
-                    && !(self.encloses(**surface, *other) && at > *place)
+                    && self.covers(*other, **surface)
+                    && !(self.covers(**surface, *other) && at > *place)
             };
             surfaces.iter().enumerate().any(covers)
         };
@@ -92,8 +95,20 @@ impl Visibility {
         all.filter(|own| !is_covered(own)).map(|(_, surface)| *surface).collect()
     }
 
+    /// Whether a surface, with all of its convex body, lies within a ball or between the ends of a can or a cone.
+    /// The wall of a can lies on a solid that goes on beyond these.
+    fn covers(&self, round: usize, surface: usize) -> bool {
+        let lids = self.frustum(round).map(Frustum::lids);
+        let is_between_ends = |face: &usize| {
+            lids.is_some_and(|lids| lids.into_iter().all(|lid| self.obstacles[*face].lies_behind(lid)))
+        };
+        let is_ball = self.ball(round).is_some();
+        let mut faces = self.faces(&surface).iter();
+        faces.all(|face| (is_ball || is_between_ends(face)) && self.encloses(round, *face))
+    }
+
     /// Shadows from `x` of `surfaces` with outlines, one per body, that may hide a part of `ball`; those of
-    /// balls with so many `corners` on a full turn.
+    /// round ones with so many `corners` on a full turn.
     pub fn shadows(&self, surfaces: &[usize], x: DVec3, ball: &Ball, corners: usize) -> Vec<BlockerShadow> {
         let mut shadows = Vec::with_capacity(surfaces.len());
         let stands = |piece: &[DVec3]| !ball.is_beside(piece, x);
@@ -103,17 +118,33 @@ impl Visibility {
                 shadows.extend(ShadowCone::over(center, radius, x, corners).map(BlockerShadow::Cone));
                 continue;
             }
+            if let Some(frustum) = self.frustum(*surface) {
+                let pyramid = frustum.outline(x).and_then(|outline| outline.pyramid(x, corners));
+                shadows.extend(pyramid.map(BlockerShadow::Pyramid));
+                continue;
+            }
             self.add_volumes(*surface, x, stands, &mut volumes);
             shadows.extend(volumes.drain(..).map(BlockerShadow::Pyramid));
         }
         shadows
     }
 
-    /// The edges of a planar surface, or of the convex body it belongs to; of a ball those that stand for its
-    /// outline.
+    /// The shadow of a round surface from `x`; None where it hides nothing.
+    pub fn round_shadow(&self, surface: usize, x: DVec3) -> Option<RoundShadow<'_>> {
+        match self.ball(surface) {
+            Some((center, radius)) => ShadowCone::over(center, radius, x, 0).map(RoundShadow::of_ball),
+            None => RoundShadow::of_frustum(self.frustum(surface)?, x),
+        }
+    }
+
+    /// The edges of a planar surface, or of the convex body it belongs to; of round ones those that stand for
+    /// their outlines.
     pub fn blocker_edges(&self, surface: usize) -> Vec<BlockerEdge> {
         if let Some((center, radius)) = self.ball(surface) {
             return BlockerEdge::about_ball(center, radius).collect();
+        }
+        if let Some(frustum) = self.frustum(surface) {
+            return frustum.edges();
         }
         match self.bodies.of(surface) {
             Some(body) => body.blocker_edges().collect(),
@@ -124,5 +155,35 @@ impl Visibility {
                 .flat_map(|piece| BlockerEdge::all_of(piece))
                 .collect(),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use radiosity_scene::Source;
+
+    use super::*;
+    use crate::Shadows;
+
+    /// A leaning can hides as much as its lid; of tiles, balls and cans beyond its ends it hides nothing.
+    #[test]
+    fn walls_cover_their_lids_and_nothing_beyond_their_ends() {
+        let shapes = [
+            "cylinder = { base = [0, 0, 0], axis = [0.3, 0, 0.4], radius = 0.3 }",
+            "disk = { center = [0.3, 0, 0.4], normal = [0.3, 0, 0.4], radius = 0.3 }",
+            "disk = { center = [0, 0, 0], normal = [-0.3, 0, -0.4], radius = 0.3 }",
+            "parallelogram = { origin = [0.05, -0.1, 0.2], edge1 = [0.2, 0, 0], edge2 = [0, 0.2, 0] }",
+            "parallelogram = { origin = [0.3, 0, 0.42], edge1 = [0.02, 0, 0], edge2 = [0, 0.02, 0] }",
+            "sphere = { center = [0.6, 0, 0.8], radius = 0.2 }",
+            "cylinder = { base = [0.33, 0, 0.44], axis = [0.3, 0, 0.4], radius = 0.2 }",
+            "disk = { center = [0.33, 0, 0.44], normal = [-0.3, 0, -0.4], radius = 0.2 }",
+        ];
+        let list = shapes.map(|shape| format!("[[surfaces]]\n{shape}\n")).concat();
+        let scene = radiosity_language::read(&Source::new("cans.toml", &list)).expect("a scene");
+        let visibility = Visibility::new(&scene, Shadows::Auto, 1e-3);
+        let all: Vec<usize> = (0..shapes.len()).collect();
+        assert_eq!(visibility.one_of_each_body(&all), [0, 4, 5, 6]);
+        let reversed: Vec<usize> = all.into_iter().rev().collect();
+        assert_eq!(visibility.one_of_each_body(&reversed), [6, 5, 4, 0]);
     }
 }

@@ -19,15 +19,16 @@
 //! J = 2/√(near far) · Δ atan(√(near/far) tan ½ψ) .
 //! ```
 //!
-//! No digits cancel however near x is to the circle; about its axis, where Q is small, the integrand has no
-//! peak and goes by points. 0 ≤ E ≤ 1.
+//! No digits cancel however near x is to the circle; near its axis, where Q is small, the integrand has no
+//! peak and goes by points, and on it by ∫ (A + B cos ψ + C sin ψ)/P. 0 ≤ E ≤ 1.
 //!
 //! Reference: P. Moon, *The scientific basis of illuminating engineering* (1936), for the contour integral.
 
 use std::f64::consts::{PI, TAU};
 
 use radiosity_core::gauss::{Legendre, Rule};
-use radiosity_geom::{DVec2, DVec3};
+use radiosity_geom::{COINCIDENT, DVec2, DVec3, ROUNDING};
+use smallvec::SmallVec;
 
 use crate::irradiance::lambert;
 
@@ -35,6 +36,9 @@ use crate::irradiance::lambert;
 const NEARLY_EVEN: f64 = 0.05;
 /// Points of a turn for these: poles at cos ψ = −P/Q leave less than rounding.
 const POINTS: usize = 32;
+
+/// Half the angle (rad) of an arc that only touches a plane: it goes beyond by half its square, 5e-13 radii.
+const TOUCHING: f64 = 1e-6;
 
 /// A part of an outline, relative to the point that sees it.
 #[derive(Clone, Copy, Debug)]
@@ -73,7 +77,7 @@ pub fn within(n: DVec3, pieces: &[Piece]) -> f64 {
 }
 
 /// n·(p × dp)/|p|² along a segment.
-fn between(n: DVec3, from: DVec3, to: DVec3) -> f64 {
+pub(super) fn between(n: DVec3, from: DVec3, to: DVec3) -> f64 {
     lambert::side(n, from.normalize_or_zero(), to.normalize_or_zero())
 }
 
@@ -124,10 +128,77 @@ impl Sum {
     }
 }
 
+impl Piece {
+    /// The place after a part of it.
+    pub(super) fn at(&self, part: f64) -> DVec3 {
+        match self {
+            Self::Segment([from, to]) => from.lerp(*to, part),
+            Self::Arc(arc) => arc.at(arc.angle(part)),
+        }
+    }
+
+    /// The part of it over a range of 0 to 1.
+    pub(super) fn part(&self, range: [f64; 2]) -> Self {
+        match self {
+            Self::Segment(_) => Self::Segment(range.map(|part| self.at(part))),
+            Self::Arc(arc) => Self::Arc(Arc { angles: range.map(|part| arc.angle(part)), ..*arc }),
+        }
+    }
+
+    /// Where it passes a plane through the point with a unit normal, as parts of it: also its ends where they
+    /// lie in the plane within rounding, and not where it only touches.
+    pub(super) fn crossings(&self, normal: DVec3) -> SmallVec<[f64; 4]> {
+        let [low, high] = [0.0, 1.0].map(|end| {
+            let place = self.at(end);
+            (normal.dot(place), COINCIDENT * place.length())
+        });
+        let ends = [(low, 0.0), (high, 1.0)];
+        let level = ends.into_iter().filter(|((height, least), _)| height.abs() <= *least);
+        let mut found: SmallVec<[f64; 4]> = level.map(|(_, part)| part).collect();
+        match self {
+            Self::Segment(_) if (low.0 > 0.0) != (high.0 > 0.0) => found.push(low.0 / (low.0 - high.0)),
+            Self::Segment(_) => {}
+            Self::Arc(arc) => found.extend(arc.crossings(normal)),
+        }
+        found
+    }
+
+    /// ∫ n·(p × dp)/|p|² along it, above the horizon.
+    pub(super) fn integral(&self, n: DVec3) -> f64 {
+        match self {
+            Self::Segment([from, to]) => between(n, *from, *to),
+            Self::Arc(arc) => arc.integral(n, arc.angles),
+        }
+    }
+}
+
 impl Arc {
+    /// Where it begins, and where it ends.
+    pub(super) fn ends(&self) -> [DVec3; 2] {
+        self.angles.map(|angle| self.at(angle))
+    }
+
     fn at(&self, angle: f64) -> DVec3 {
         let (sin, cos) = angle.sin_cos();
         self.center + cos * self.axes[0] + sin * self.axes[1]
+    }
+
+    /// ψ after a part of it.
+    fn angle(&self, part: f64) -> f64 {
+        self.angles[0] + part * (self.angles[1] - self.angles[0])
+    }
+
+    /// Where it passes a plane through the point, as parts of it.
+    fn crossings(&self, normal: DVec3) -> impl Iterator<Item = f64> {
+        let [first, last] = self.angles;
+        let low = first.min(last);
+        let swing = DVec2::from_array(self.axes.map(|axis| normal.dot(axis)));
+        let (middle, half) = (swing.y.atan2(swing.x), (-normal.dot(self.center) / swing.length()).acos());
+        let roots = [middle - half, middle + half].map(|root| root + TAU * ((low - root) / TAU).ceil());
+        let parts = roots.map(|root| (root - first) / (last - first));
+        // NaN where it never meets the plane.
+        let passes = half > TOUCHING && half < PI - TOUCHING;
+        parts.into_iter().filter(move |part| passes && *part > 0.0 && *part < 1.0)
     }
 
     /// The ranges of its angles above a horizon, in order.
@@ -189,6 +260,11 @@ struct Ratio {
 
 impl Ratio {
     fn integral(&self, angles @ [first, last]: [f64; 2]) -> f64 {
+        if self.swing <= ROUNDING * self.near {
+            let ([from, to], [start, end]) = ([first.sin(), last.sin()], [first.cos(), last.cos()]);
+            return (self.even * (last - first) + self.cosine * (to - from) - self.sine * (end - start))
+                / self.near;
+        }
         if self.swing <= NEARLY_EVEN * self.near {
             const RULE: Rule<POINTS> = Legendre::<POINTS>::RULE;
             let half = 0.5 * (last - first);

@@ -5,17 +5,20 @@
 //! and against the largest of the view factors F_ij = √(A_j/A_i) G_ij of either element: a small error of a
 //! block can be a large one of the view factors from a small element to a large one.
 
+use radiosity_elements::Element;
 use radiosity_kernel::Accuracy;
 use radiosity_kernel::estimates::entry_bounds::{ROW_SHARE, relaxed};
 use radiosity_visibility::Visibility;
+use radiosity_visibility::frustum::Frustum;
 use radiosity_work::interruption::check_interrupt;
 
 use crate::kept_blocks::Request;
+use crate::occlusion::beside_frusta::{are_apart, outer_sides};
 use crate::occlusion::outlines::{Limit, share_sphere};
 use crate::occlusion::outside_ball::lies_outside;
 use crate::pair::tolerance::Tolerance;
 use crate::schedule::task::{Schedule, Task};
-use crate::tolerances::{ABOVE_ESTIMATE, SHADOWS_IN_FACTORS, SHADOWS_IN_ROW};
+use crate::tolerances::{ABOVE_ESTIMATE, FINE_SHADOWS, SHADOWS_IN_FACTORS, SHADOWS_IN_ROW};
 
 /// Floor of the shadow tolerance, as a factor on the upper bound of the entry and on ε_shadow; view factors,
 /// and hence the bound, are at most 1. With a larger value small elements lose digits of their shadows; with
@@ -65,7 +68,8 @@ impl Goal {
 
     /// The request for the block of a task with this goal, as kept blocks are compared by.
     pub(super) fn request(&self, task: &Task, visibility: &Visibility) -> Request {
-        let faces = |surface| visibility.faces(surface).iter().copied();
+        let lid = |surface| visibility.frustum(surface).and_then(Frustum::lid);
+        let faces = |surface| visibility.faces(surface).iter().copied().chain(lid(*surface));
         let surfaces = task.blockers.iter().chain(&task.own).flat_map(faces).collect();
         let mut numbers = self.bits();
         numbers.extend([task.blockers.len() as u64, task.estimate.to_bits()]);
@@ -146,8 +150,9 @@ impl Schedule<'_> {
     }
 
     /// Whether shadows are found by outlines: all blockers are planar, or balls outside which both elements
-    /// lie, at least one element is planar or both lie on the inside of one sphere that holds all blockers, and
-    /// neither hides part of itself (its light would be taken off twice).
+    /// lie, at least one element is planar and [beside](crate::occlusion::beside_frusta) all cans, cones and
+    /// disks, or both lie on the inside of one sphere that holds all blockers, and neither hides part of itself
+    /// (its light would be taken off twice).
     pub(super) fn has_outlines(&self, task: &Task) -> bool {
         let elements = task.pair().map(|index| &self.list[index]);
         let is_outside = |blocker: &usize| {
@@ -163,9 +168,25 @@ impl Schedule<'_> {
         };
         task.own.is_empty()
             && self.visibility.has_outlines(&task.blockers)
-            && (elements.iter().any(|element| element.plane.is_some())
-                || are_within() && share_sphere(elements))
             && task.blockers.iter().all(is_outside)
+            && self.are_told_apart(elements, &task.blockers)
+            && (outer_sides(elements, &task.blockers, self.visibility).contains(&true)
+                || are_within() && share_sphere(elements))
+    }
+
+    /// Whether kites are fine enough for the arcs of frusta, or none are needed, as of constants past a frustum
+    /// alone, or apart from all else. Polynomials past disks are left to rays: a room with one was open by twice
+    /// the accuracy asked at order 2, of shadows or of the disk's own blocks.
+    fn are_told_apart(&self, pair: [&Element; 2], blockers: &[usize]) -> bool {
+        let visibility = self.visibility;
+        let bodies = visibility.one_of_each_body(blockers);
+        let mut frusta = bodies.iter().filter_map(|own| visibility.frustum(*own)).peekable();
+        let is_rough = self.accuracy.shadow_eps >= FINE_SHADOWS;
+        match pair.iter().all(|own| own.basis.len() == 1) {
+            _ if frusta.peek().is_none() => true,
+            true => is_rough || pair.iter().all(|own| are_apart(own, &bodies, visibility)),
+            false => is_rough && !frusta.any(Frustum::is_disk),
+        }
     }
 
     /// The largest `entry(task, [element of the row, other element])` of each row, rounded down: where things

@@ -199,7 +199,11 @@ impl Schedule<'_> {
     fn told_by_blockers(&self, row: usize, column: usize) -> Sorted {
         let (receiver, emitter) = (&self.list[row], &self.list[column]);
         let surfaces = [receiver.surface, emitter.surface];
-        let blockers = self.visibility.candidates(&receiver.hull, &emitter.hull, surfaces);
+        let mut blockers = self.visibility.candidates(&receiver.hull, &emitter.hull, surfaces);
+        // The wall of a can lies behind its lid.
+        let visibility = self.visibility;
+        blockers
+            .retain(|own| visibility.frustum(*own).is_none() || !visibility.hides_nothing(*own, surfaces));
         let is_hidden = || {
             self.visibility.hidden(&blockers, &receiver.hull, &emitter.hull)
                 || self.are_parted([receiver, emitter], &blockers)

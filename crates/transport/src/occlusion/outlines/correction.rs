@@ -8,6 +8,7 @@ use radiosity_kernel::rules::zone::Zone;
 use radiosity_visibility::Visibility;
 use radiosity_visibility::bounding_ball::Ball;
 
+use crate::occlusion::beside_frusta::are_apart;
 use crate::occlusion::outlines::edges::Edges;
 use crate::tolerances::LOOSEST_OF_OUTLINES;
 
@@ -59,6 +60,12 @@ pub(super) struct Correction<'a> {
     /// Relative accuracy of the inner integrals: 0.3 of the block's, most of which is left to the outer ones.
     pub(super) accuracy: f64,
     pub(super) limit: Limit,
+    /// Whether kinks are curved, as those past cans, cones and disks, and past balls between flat elements: no cut
+    /// follows them.
+    pub(super) is_round: bool,
+    /// Whether all blockers are round, one is no ball, and from no point one hides a part of another: kites of
+    /// balls are as fast.
+    pub(super) are_apart: bool,
 }
 
 impl<'a> Correction<'a> {
@@ -104,6 +111,9 @@ impl<'a> Correction<'a> {
             ball_corners: ball_corners(accuracy) * more_corners,
             accuracy,
             limit,
+            are_apart: are_apart(outer, blockers, visibility),
+            is_round: blockers.iter().any(|own| visibility.frustum(*own).is_some())
+                || pair.iter().all(|element| element.plane.is_some()) && !visibility.are_planar(blockers),
         }
     }
 }

@@ -9,13 +9,15 @@ use radiosity_geom::{Aabb, DVec2, DVec3, clip_polygon, polygon_area};
 use radiosity_kernel::contact::gap::point_to_polygon;
 use radiosity_kernel::irradiance::ball::ball;
 use radiosity_kernel::irradiance::visible_polygon::{inside_any, irradiance, irradiance_seen};
+use radiosity_kernel::irradiance::within_polygon::hidden_by_round;
 use radiosity_kernel::moments::{Moments, Side};
 use radiosity_kernel::rules::far;
 use radiosity_kernel::rules::far::SMALLEST_RATIO;
 use radiosity_kernel::rules::zone::Zone;
 use radiosity_visibility::blocker_shadow::BlockerShadow;
 use radiosity_visibility::bounding_ball::Ball;
-use radiosity_visibility::shadow_volume::Corners;
+use radiosity_visibility::round_shadow::RoundShadow;
+use radiosity_visibility::shadow_volume::{Corners, Coverage, cut_at_horizon};
 use radiosity_work::interruption::check_interrupt;
 
 use crate::occlusion::outlines::cell_cut::CellCut;
@@ -50,7 +52,8 @@ pub(super) struct Occlusion {
     pub hides: bool,
     /// Whether everything is hidden from every point of the rule.
     pub dark: bool,
-    /// Estimate of the largest error from cells left at the smallest size.
+    /// Estimate of the largest error, from cells left at the smallest size, and from those on which two levels
+    /// agree where kinks are curved.
     pub error: f64,
     /// Terms of the rules.
     pub samples: u64,
@@ -97,6 +100,8 @@ pub(super) struct CorrectionSums<'a> {
     hides: bool,
     dark: bool,
     error: f64,
+    /// Sum of the squared differences of two levels on cells on which these agree.
+    squares: f64,
     samples: u64,
     /// Cells that may still be halved.
     left: u64,
@@ -111,6 +116,7 @@ impl<'a> CorrectionSums<'a> {
             hides: false,
             dark: true,
             error: 0.0,
+            squares: 0.0,
             samples: 0,
             left: 0,
         }
@@ -121,11 +127,14 @@ impl<'a> CorrectionSums<'a> {
         self.hides |= other.hides;
         self.dark &= other.dark;
         self.error += other.error;
+        self.squares += other.squares;
         self.samples += other.samples;
     }
 
     pub(super) fn finish(self) -> Occlusion {
-        let Self { hides, dark, error, samples, moments, .. } = self;
+        let Self { correction, hides, dark, samples, moments, .. } = self;
+        let agreed = if correction.is_round { self.squares.sqrt() / AGREED_BY_LEVELS } else { 0.0 };
+        let error = self.error + agreed;
         Occlusion { values: moments.into_block(), hides, dark: dark && hides, error, samples }
     }
 
@@ -161,6 +170,9 @@ impl<'a> CorrectionSums<'a> {
             self.error += difference;
         }
         let may_miss = is_told && !is_last && self.may_miss(cell, &blockers);
+        if is_told && !may_miss {
+            self.squares += difference * difference;
+        }
         let entries = self.correction.outer.basis.len() * self.correction.inner.basis.len();
         let share = limit / (parts.len() as f64).sqrt();
         for (index, (part, sum)) in parts.iter().zip(sums).enumerate() {
@@ -256,11 +268,14 @@ impl<'a> CorrectionSums<'a> {
             self.samples += 1;
             return HiddenShare::Part;
         }
-        let Correction { visibility, inner_shape, ball, ball_corners, .. } = self.correction;
-        let shadows = visibility.shadows(blockers, x.position, ball, *ball_corners);
+        let Correction { visibility, inner_shape, ball, ball_corners, are_apart, .. } = self.correction;
+        let shadows = || visibility.shadows(blockers, x.position, ball, *ball_corners);
         let (any, everything) = match inner_shape {
-            InnerShape::Flat(facets) => self.hidden_of_facets(facets, x, &shadows, out),
-            InnerShape::OfSphere(zone) => (self.hidden_of_sphere(zone, x, &shadows, out), false),
+            InnerShape::Flat(facets) if *are_apart && out.len() == 1 => {
+                self.hidden_by_round(facets, x, blockers, out)
+            }
+            InnerShape::Flat(facets) => self.hidden_of_facets(facets, x, &shadows(), out),
+            InnerShape::OfSphere(zone) => (self.hidden_of_sphere(zone, x, &shadows(), out), false),
         };
         self.dark &= everything;
         self.hides |= any;
@@ -280,6 +295,36 @@ impl<'a> CorrectionSums<'a> {
         let is_constant = zone.is_whole() && inner.basis.len() == 1;
         let seen = if is_constant { ball(x.position, x.normal, center, radius) } else { None };
         seen.map(|seen| constant * seen)
+    }
+
+    /// Whether anything is hidden by round things apart of a flat element that carries a constant, and whether
+    /// all is: through their outlines.
+    fn hidden_by_round(
+        &mut self,
+        facets: &Facets,
+        x: &Node,
+        blockers: &[usize],
+        out: &mut [f64],
+    ) -> (bool, bool) {
+        let Correction { visibility, constant, .. } = self.correction;
+        let shadow = |body: &usize| visibility.round_shadow(*body, x.position);
+        let shadows: Vec<RoundShadow> = blockers.iter().filter_map(shadow).collect();
+        let (mut any, mut everything) = (false, true);
+        for polygon in &facets.polygons {
+            let Some(polygon) = self.seen_from(x, polygon, facets.normal) else { continue };
+            let mut seen: Corners = polygon.iter().map(|corner| corner - x.position).collect();
+            cut_at_horizon(x.normal, &mut seen);
+            let mut all = false;
+            for shadow in &shadows {
+                let found = hidden_by_round(x.normal, &seen, shadow);
+                any |= found.coverage != Coverage::Clear;
+                all |= found.coverage == Coverage::Hidden;
+                out[0] += constant * found.irradiance;
+                self.samples += seen.len() as u64;
+            }
+            everything &= all;
+        }
+        (any, everything)
     }
 
     /// Whether anything is hidden, and whether all is that the point would see.

@@ -12,7 +12,9 @@ use radiosity_kernel::contact::gap::{point_to_polygon, polygon_distance, segment
 use radiosity_kernel::contact::sectors::sectors;
 use radiosity_kernel::moments::Side;
 use radiosity_visibility::Visibility;
+use radiosity_visibility::frustum::Frustum;
 
+use crate::occlusion::beside_frusta::outer_sides;
 use crate::occlusion::outlines::kinks::{Line, kinks};
 use crate::tolerances::FINE_SHADOWS;
 
@@ -51,7 +53,11 @@ impl Sides {
         let [receivers, emitters] = facing(pair);
         let polygons =
             [&receivers, &emitters].map(|side| side.iter().map(|f| &f.corners[..]).collect::<Vec<_>>());
-        let side = outer_side(&polygons, blockers, visibility);
+        let side = match outer_sides(pair, blockers, visibility) {
+            [true, false] => Side::Receiver,
+            [false, true] => Side::Emitter,
+            _ => outer_side(&polygons, blockers, visibility),
+        };
         let (outer, inner) = match side {
             Side::Receiver => (receivers, emitters),
             Side::Emitter => (emitters, receivers),
@@ -60,7 +66,7 @@ impl Sides {
             outer.iter().flat_map(|facet| cut_along(facet, blockers, visibility)).collect();
         if accuracy < FINE_SHADOWS {
             let mut bodies = visibility.one_of_each_body(blockers);
-            bodies.retain(|body| visibility.ball(*body).is_none());
+            bodies.retain(|body| visibility.pieces(*body).is_some());
             for Line { point, across } in kinks(&outer, &inner, &bodies, visibility) {
                 parts = parts.iter().flat_map(|part| halves(part, point, across)).collect();
             }
@@ -91,6 +97,8 @@ fn facing(pair: [&Element; 2]) -> [Vec<Facet>; 2] {
 /// The side that is better as the outer one.
 fn outer_side(polygons: &[Vec<&[DVec3]>; 2], blockers: &[usize], visibility: &Visibility) -> Side {
     let pieces = || blockers.iter().filter_map(|blocker| visibility.pieces(*blocker)).flatten();
+    let frusta =
+        || blockers.iter().filter_map(|blocker| visibility.frustum(*blocker)).flat_map(Frustum::faces);
     let balls = || blockers.iter().filter_map(|blocker| visibility.ball(*blocker));
     let [receiver, emitter] = polygons.each_ref().map(|side| {
         let to_pieces =
@@ -98,7 +106,9 @@ fn outer_side(polygons: &[Vec<&[DVec3]>; 2], blockers: &[usize], visibility: &Vi
         let to_balls = side.iter().flat_map(|polygon| {
             balls().map(move |(center, radius)| point_to_polygon(center, polygon) - radius)
         });
-        let gap = to_pieces.chain(to_balls).fold(f64::INFINITY, f64::min);
+        let to_frusta =
+            side.iter().flat_map(|polygon| frusta().map(move |face| polygon_distance(polygon, &face)));
+        let gap = to_pieces.chain(to_frusta).chain(to_balls).fold(f64::INFINITY, f64::min);
         let corners = || side.iter().flat_map(|polygon| polygon.iter());
         let size = corners().flat_map(|a| corners().map(move |b| a.distance(*b))).fold(0.0, f64::max);
         gap / size
