@@ -1,12 +1,14 @@
 """Seconds, memory and errors of the view factors of a dented ball by pyviewfactor (PyPI).
 
-    NUMBA_NUM_THREADS=1 python ball.py 8 [--beside x.npz]
+    python ball.py 8 --scene ball.json
+    NUMBA_NUM_THREADS=1 python ball.py 8 [--beside ball.npz]
 
-8 is the frequency of the ball of `studies/coverage/facets.py`: 20 f² triangles. With --beside its matrix is compared with that of
-`radiosity view-factors`. Obstructions are looked for as pyviewfactor does by default, between centroids.
+8 is the frequency of the ball of `studies/coverage/facets.py`: 20 f² triangles. With --scene the ball is written for this program;
+with --beside its matrix is compared with that of `radiosity view-factors`. Obstructions are looked for as pyviewfactor does by default, between centroids.
 """
 
 import argparse
+import json
 import pathlib
 import resource
 import sys
@@ -31,7 +33,10 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("frequency", type=int)
     parser.add_argument("--beside", help="matrix of radiosity, NPZ")
+    parser.add_argument("--scene", type=pathlib.Path, help="scene file to write")
     asked = parser.parse_args()
+    if asked.scene:
+        return asked.scene.write_text(json.dumps(facets.scene(facets.ball(asked.frequency))))
     # Compiled before it is timed.
     pyviewfactor.compute_viewfactor_matrix(mesh(facets.ball(1)))
     ball = mesh(facets.ball(asked.frequency))
