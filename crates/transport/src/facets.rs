@@ -13,10 +13,10 @@
 //! e² = ∫∫ κ² · Σ κ_k² (V_k − v)² / (Σ κ_k)² .
 //! ```
 //!
-//! Most pairs are clear: nothing can stand between them, which is looked up for clusters, facets and clusters, and pairs,
-//! each of what those before leave open. Where n segments of another pair agree, and any part of it may be hidden, one more would not agree with
-//! probability 1/(n + 2) (P.-S. Laplace's rule of succession), and by that part of the whole the exchange may
-//! err: n follows from the error asked for, and from the share of the pair in a row.
+//! Most pairs are clear: nothing can stand between them, which is looked up for two clusters, for a facet and a
+//! cluster, and for the pairs that these leave open. Where n segments of another pair agree, and any part of it may
+//! be hidden, one more would not agree with probability 1/(n + 2) (P.-S. Laplace's rule of succession), and by that
+//! part of the whole the exchange may err: n follows from the error asked for, and from the share of the pair in a row.
 //!
 //! Pairs of which a part is hidden, and all of the first segments are stopped, are missed. A pair of a known part v,
 //! neither 0 nor 1, would have been missed by k independent segments with the probability p = (1 − v)ᵏ, and stands for

@@ -89,12 +89,12 @@ struct Standing {
     nearer: usize,
 }
 
-/// Which of the surfaces between two groups may stand between one of the one and all of the other.
+/// Some of the surfaces between two groups, by their places among these: such as may stand between one of the one and all of the other.
 #[derive(Clone, Debug, Default)]
 pub struct Places(SmallVec<[u64; 2]>);
 
 impl Places {
-    /// Those of both.
+    /// Surfaces that are in both.
     fn shared<'a>(&'a self, other: &'a Self) -> impl Iterator<Item = usize> + 'a {
         let words = self.0.iter().zip(&other.0).map(|(one, other)| one & other).enumerate();
         words.flat_map(|(word, bits)| {
@@ -102,7 +102,7 @@ impl Places {
         })
     }
 
-    /// Whether there are none of both.
+    /// Whether none is in both.
     pub fn are_apart(&self, other: &Self) -> bool {
         self.0.iter().zip(&other.0).all(|(one, other)| one & other == 0)
     }
@@ -211,7 +211,7 @@ impl Visibility {
         BetweenGroups(self.standing_in(Capsule::around(&a.ball, &b.ball)).filter_map(may_hide).collect())
     }
 
-    /// Which of the surfaces between two groups may stand between one of the group `own`, 0 or 1, and all of the other:
+    /// Some of the surfaces between two groups, by their places among these: such as may stand between one of the group `own`, 0 or 1, and all of the other:
     /// of those that are nearer to its own group; any other may.
     pub fn between(
         &self,

@@ -12,9 +12,9 @@
 //! (N = 4, 8; ε = 1e-2, 1e-4, 1e-8) the formula is within one point of the need. Closer pairs, r < ¼, are
 //! split first.
 //!
-//! A rule errs by (64/15) M ϱ⁻²ⁿ/(1 − ϱ⁻²) with the bound M of the kernel in the ellipse, about 1/(π d²) at the distance d of
-//! the patches, while the kernel itself is cos θ cos θ′/(π d²): relative to the integral over patches that see each other
-//! at a slant, ε is to be smaller by [`slant`].
+//! A rule errs by (64/15) M ϱ⁻²ⁿ/(1 − ϱ⁻²) with the bound M of the kernel in the ellipse, about 1/(π d²) at the
+//! distance d of the patches, while the kernel itself is cos θ cos θ′/(π d²): relative to the integral over patches
+//! that see each other at a slant, ε is to be smaller by [`slant`].
 //!
 //! Reference: L. N. Trefethen, *Approximation Theory and Approximation Practice*, chapter 19 (ϱ⁻²ⁿ).
 

@@ -1,11 +1,11 @@
-//! What may stand between facets of one cluster and others, looked up for all pairs of two clusters at once.
+//! Surfaces that may stand between facets of one cluster and others, looked up for all pairs of two clusters at once.
 
 use radiosity_visibility::{BetweenGroups, Normals, Places, Visibility};
 
 use super::clusters::Clusters;
 use super::facet::Facet;
 
-/// What may stand between facets of one cluster and those of any other, as far as it has been asked for.
+/// Surfaces that may stand between facets of one cluster and those of any other, as far as it has been asked for.
 #[derive(Debug)]
 pub(super) struct ClusterSight<'a> {
     facets: &'a [Facet],
@@ -13,26 +13,26 @@ pub(super) struct ClusterSight<'a> {
     visibility: &'a Visibility,
     /// The number of the cluster.
     own: usize,
-    /// What may stand between the cluster and each.
+    /// Surfaces that may stand between the cluster and each.
     past: Vec<Option<PastCluster>>,
     /// Planes that keep surfaces out, of facets of the cluster and of others.
     normals: [Normals; 2],
 }
 
-/// What may stand between two clusters.
+/// Surfaces that may stand between two clusters.
 #[derive(Debug)]
 struct PastCluster {
     between: BetweenGroups,
-    /// Of that, what may stand between the first one and each facet of the other.
+    /// Some of these: what may stand between the first one and each facet of the other.
     others: Vec<Places>,
 }
 
-/// What may stand between a facet of that cluster and others.
+/// Surfaces that may stand between a facet of a cluster and others.
 #[derive(Debug)]
 pub(super) struct FacetSight<'a, 'b> {
     cluster: &'b mut ClusterSight<'a>,
     own: &'a Facet,
-    /// What may stand between the facet and each cluster.
+    /// Surfaces that may stand between the facet and each cluster.
     places: Vec<Option<Places>>,
 }
 
@@ -64,7 +64,7 @@ impl<'a> ClusterSight<'a> {
 }
 
 impl FacetSight<'_, '_> {
-    /// What may stand between the facet and another one.
+    /// Surfaces that may stand between the facet and another one.
     pub(super) fn past(&mut self, other: usize) -> Passage<'_> {
         let ClusterSight { facets, clusters, visibility, own, past, normals } = &mut *self.cluster;
         let (number, place) = clusters.of_facet(other);
