@@ -89,7 +89,8 @@ struct Standing {
     nearer: usize,
 }
 
-/// Some of the surfaces between two groups, by their places among these: such as may stand between one of the one and all of the other.
+/// Some of the surfaces between two groups, by their places among these: such as may stand between one member of a
+/// group and all of the other.
 #[derive(Clone, Debug, Default)]
 pub struct Places(SmallVec<[u64; 2]>);
 
@@ -211,12 +212,13 @@ impl Visibility {
         BetweenGroups(self.standing_in(Capsule::around(&a.ball, &b.ball)).filter_map(may_hide).collect())
     }
 
-    /// Some of the surfaces between two groups, by their places among these: such as may stand between one of the group `own`, 0 or 1, and all of the other:
-    /// of those that are nearer to its own group; any other may.
+    /// Places, among the surfaces between two `groups`, of those that may stand between one member of the group `own`, 0
+    /// or 1, and all of the other. Surfaces that are nearer to the other group are not looked at: any may.
     pub fn between(
         &self,
         end: FlatEnd<'_>,
-        (own, groups): (usize, [&Neighbours; 2]),
+        own: usize,
+        groups: [&Neighbours; 2],
         between: &BetweenGroups,
         normals: &mut Normals,
     ) -> Places {
@@ -326,8 +328,8 @@ mod tests {
             let ends = [end(*i), end(*j)];
             let mut is_clear_by = |groups: [&Neighbours; 2]| {
                 let between = visibility.between_groups(groups, &normals);
-                let places = [0, 1]
-                    .map(|own| visibility.between(ends[own], (own, groups), &between, &mut normals[own]));
+                let places =
+                    [0, 1].map(|own| visibility.between(ends[own], own, groups, &between, &mut normals[own]));
                 visibility.is_clear(ends, &between, places.each_ref())
             };
             let is_clear = is_clear_by([&neighbours[i / 3], &neighbours[j / 3]]);

@@ -72,13 +72,13 @@ impl FacetSight<'_, '_> {
         let PastCluster { between, others } = past[number].get_or_insert_with(|| {
             let between = visibility.between_groups(groups, normals);
             let places = |member: &u32| {
-                visibility.between(facets[*member as usize].end(), (1, groups), &between, &mut normals[1])
+                visibility.between(facets[*member as usize].end(), 1, groups, &between, &mut normals[1])
             };
             let others = clusters.list()[number].members.iter().map(places).collect();
             PastCluster { between, others }
         });
         let places = self.places[number]
-            .get_or_insert_with(|| visibility.between(self.own.end(), (0, groups), between, &mut normals[0]));
+            .get_or_insert_with(|| visibility.between(self.own.end(), 0, groups, between, &mut normals[0]));
         Passage { between, places: [places, &others[place]] }
     }
 }
