@@ -68,7 +68,7 @@ pub fn facing(p: &Patch, q: &Patch, touching: bool, eps: f64) -> Facing {
 
 /// Whether a point of a patch may have some of a ball before it: heights of the centre over tangent planes,
 /// with the margin of patches apart.
-pub fn may_face_ball(patch: &Patch, center: DVec3, radius: f64) -> bool {
+pub(crate) fn may_face_ball(patch: &Patch, center: DVec3, radius: f64) -> bool {
     let samples = Samples::of(patch, APART);
     let height = |x: &Node| x.normal.dot(center - x.position);
     let margin = 0.25 * samples.second_differences(|a, b, c| (height(a) - 2.0 * height(b) + height(c)).abs());
