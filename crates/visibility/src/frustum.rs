@@ -102,7 +102,7 @@ impl Frustum {
     }
 
     /// Whether it has no height.
-    pub fn is_disk(&self) -> bool {
+    fn is_disk(&self) -> bool {
         self.ends[0] == self.ends[1]
     }
 

@@ -18,7 +18,7 @@ use crate::occlusion::outlines::{Limit, share_sphere};
 use crate::occlusion::outside_ball::lies_outside;
 use crate::pair::tolerance::Tolerance;
 use crate::schedule::task::{Schedule, Task};
-use crate::tolerances::{ABOVE_ESTIMATE, FINE_SHADOWS, SHADOWS_IN_FACTORS, SHADOWS_IN_ROW};
+use crate::tolerances::{ABOVE_ESTIMATE, SHADOWS_IN_FACTORS, SHADOWS_IN_ROW};
 
 /// Floor of the shadow tolerance, as a factor on the upper bound of the entry and on ε_shadow; view factors,
 /// and hence the bound, are at most 1. With a larger value small elements lose digits of their shadows; with
@@ -149,10 +149,10 @@ impl Schedule<'_> {
         Goal { accuracy, bent, ..shaded }
     }
 
-    /// Whether shadows are found by outlines: all blockers are planar, or balls outside which both elements
-    /// lie, at least one element is planar and [beside](crate::occlusion::beside_frusta) all cans, cones and
-    /// disks, or both lie on the inside of one sphere that holds all blockers, and neither hides part of itself
-    /// (its light would be taken off twice).
+    /// Whether shadows are found by outlines: all blockers are planar, or balls outside which both elements lie, and at
+    /// least one element is planar, or both lie on the inside of one sphere that holds all blockers, and neither hides
+    /// part of itself (its light would be taken off twice). Where cans, cones and disks are among the blockers, one
+    /// element is [beside](crate::occlusion::beside_frusta) them all, and their shadows have closed forms.
     pub(super) fn has_outlines(&self, task: &Task) -> bool {
         let elements = task.pair().map(|index| &self.list[index]);
         let is_outside = |blocker: &usize| {
@@ -166,27 +166,23 @@ impl Schedule<'_> {
             let sphere = elements[0].surface;
             task.blockers.iter().all(|blocker| self.visibility.encloses(sphere, *blocker))
         };
+        let has_outer_side = || outer_sides(elements, &task.blockers, self.visibility).contains(&true);
+        let has_frusta = task.blockers.iter().any(|blocker| self.visibility.frustum(*blocker).is_some());
         task.own.is_empty()
             && self.visibility.has_outlines(&task.blockers)
             && task.blockers.iter().all(is_outside)
-            && self.are_told_apart(elements, &task.blockers)
-            && (outer_sides(elements, &task.blockers, self.visibility).contains(&true)
-                || are_within() && share_sphere(elements))
+            && match has_frusta {
+                true => has_outer_side() && self.have_closed_forms(elements, &task.blockers),
+                false => has_outer_side() || are_within() && share_sphere(elements),
+            }
     }
 
-    /// Whether kites are fine enough for the arcs of frusta, or none are needed, as of constants past a frustum
-    /// alone, or apart from all else. Polynomials past disks are left to rays: a room with one was open by twice
-    /// the accuracy asked at order 2, of shadows or of the disk's own blocks.
-    fn are_told_apart(&self, pair: [&Element; 2], blockers: &[usize]) -> bool {
-        let visibility = self.visibility;
-        let bodies = visibility.one_of_each_body(blockers);
-        let mut frusta = bodies.iter().filter_map(|own| visibility.frustum(*own)).peekable();
-        let is_rough = self.accuracy.shadow_eps >= FINE_SHADOWS;
-        match pair.iter().all(|own| own.basis.len() == 1) {
-            _ if frusta.peek().is_none() => true,
-            true => is_rough || pair.iter().all(|own| are_apart(own, &bodies, visibility)),
-            false => is_rough && !frusta.any(Frustum::is_disk),
-        }
+    /// Whether shadows of all cans, cones and disks among the blockers have closed forms: those of constants, where no
+    /// line from either element meets two blockers. Kites that stand for their arcs tell no error, and miss up to a third
+    /// of what is seen past two disks.
+    fn have_closed_forms(&self, pair: [&Element; 2], blockers: &[usize]) -> bool {
+        let bodies = self.visibility.one_of_each_body(blockers);
+        pair.iter().all(|own| own.basis.len() == 1 && are_apart(own, &bodies, self.visibility))
     }
 
     /// The largest `entry(task, [element of the row, other element])` of each row, rounded down: where things

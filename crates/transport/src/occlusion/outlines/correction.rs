@@ -63,8 +63,8 @@ pub(super) struct Correction<'a> {
     /// Whether kinks are curved, as those past cans, cones and disks, and past balls between flat elements: no cut
     /// follows them.
     pub(super) is_round: bool,
-    /// Whether all blockers are round, one is no ball, and from no point one hides a part of another: kites of
-    /// balls are as fast.
+    /// Whether the shadow of each blocker counts by itself, in closed form: one is a can, a cone or a disk, the others
+    /// are round as well, and from no point one hides a part of another. Balls alone have kites, which are as fast.
     pub(super) are_apart: bool,
 }
 

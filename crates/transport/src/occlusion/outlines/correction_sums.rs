@@ -272,7 +272,7 @@ impl<'a> CorrectionSums<'a> {
         let shadows = || visibility.shadows(blockers, x.position, ball, *ball_corners);
         let (any, everything) = match inner_shape {
             InnerShape::Flat(facets) if *are_apart && out.len() == 1 => {
-                self.hidden_by_round(facets, x, blockers, out)
+                self.hidden_by_each(facets, x, blockers, out)
             }
             InnerShape::Flat(facets) => self.hidden_of_facets(facets, x, &shadows(), out),
             InnerShape::OfSphere(zone) => (self.hidden_of_sphere(zone, x, &shadows(), out), false),
@@ -299,7 +299,7 @@ impl<'a> CorrectionSums<'a> {
 
     /// Whether anything is hidden by round things apart of a flat element that carries a constant, and whether
     /// all is: through their outlines.
-    fn hidden_by_round(
+    fn hidden_by_each(
         &mut self,
         facets: &Facets,
         x: &Node,
