@@ -32,6 +32,8 @@ pub struct ElementPair<'a> {
     pub hulls: [&'a [DVec3]; 2],
     /// Whether both are flat.
     pub are_flat: bool,
+    /// Whether both carry constants.
+    pub are_constant: bool,
     /// Whether both are whole surfaces that carry constants.
     pub are_whole: bool,
 }
@@ -44,7 +46,7 @@ pub fn price(pair: &ElementPair, visibility: &Visibility) -> f64 {
 /// The [`price`] of a pair up to a limit; a price above it may be returned as any other one above it. Fewer
 /// blockers are looked for the lower it is.
 pub(crate) fn price_up_to(limit: f64, pair: &ElementPair, visibility: &Visibility) -> f64 {
-    let ElementPair { surfaces, hulls: [a, b], are_flat, are_whole } = *pair;
+    let ElementPair { surfaces, hulls: [a, b], are_flat, are_constant, are_whole } = *pair;
     if !are_flat {
         return if are_whole && coaxial::knows(surfaces, visibility) { COAXIAL } else { CURVED };
     }
@@ -55,19 +57,28 @@ pub(crate) fn price_up_to(limit: f64, pair: &ElementPair, visibility: &Visibilit
     let blockers = visibility.some_candidates(a, b, surfaces, most + 1);
     match blockers.len() {
         count if count > most => f64::INFINITY,
-        _ => of_blockers(true, &blockers, visibility),
+        _ => of_blockers([true, are_constant], &blockers, visibility),
     }
 }
 
-/// The [`price`] of a pair with these blockers between.
-pub(crate) fn of_blockers(are_flat: bool, blockers: &[usize], visibility: &Visibility) -> f64 {
-    let of_blocker = |own: &usize| if visibility.frustum(*own).is_some() { FRUSTUM } else { BLOCKER };
+/// The [`price`] of a pair that is flat or not, and carries constants or not, with these blockers between. What cans,
+/// cones and disks hide has a closed form for constants, where nothing but round things stands between.
+pub(crate) fn of_blockers(
+    [are_flat, are_constant]: [bool; 2],
+    blockers: &[usize],
+    visibility: &Visibility,
+) -> f64 {
+    let is_frustum = |own: &usize| visibility.frustum(*own).is_some();
+    let is_round = |own: &usize| is_frustum(own) || visibility.ball(*own).is_some();
+    let of_blocker = |own: &usize| if is_frustum(own) { FRUSTUM } else { BLOCKER };
+    let has_outlines = || {
+        let is_closed_form = are_constant && blockers.iter().all(is_round);
+        visibility.has_outlines(blockers) && (is_closed_form || !blockers.iter().any(is_frustum))
+    };
     match blockers.len() {
         _ if !are_flat => CURVED,
         0 => FREE,
-        _ if visibility.has_outlines(blockers) => {
-            PARTLY_HIDDEN + blockers.iter().map(of_blocker).sum::<f64>()
-        }
+        _ if has_outlines() => PARTLY_HIDDEN + blockers.iter().map(of_blocker).sum::<f64>(),
         _ => CURVED,
     }
 }

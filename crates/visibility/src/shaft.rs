@@ -212,8 +212,8 @@ impl Visibility {
         BetweenGroups(self.standing_in(Capsule::around(&a.ball, &b.ball)).filter_map(may_hide).collect())
     }
 
-    /// Places, among the surfaces between two `groups`, of those that may stand between one member of the group `own`, 0
-    /// or 1, and all of the other. Surfaces that are nearer to the other group are not looked at: any may.
+    /// Places, among the surfaces between two `groups`, of those that may stand between one member of the group
+    /// `own`, 0 or 1, and all of the other. Surfaces that are nearer to the other group are not looked at: any may.
     pub fn between(
         &self,
         end: FlatEnd<'_>,

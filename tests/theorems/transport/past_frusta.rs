@@ -235,8 +235,8 @@ fn what_stands_on_a_floor_darkens_its_place() {
     }
 }
 
-/// Two disks of which one hides a part of the other, and a tile wholly in the shadow of a disk, which hides nothing: what
-/// little is seen past them is found by rays.
+/// A small disk wholly in the shadow of a wide one hides nothing more: what little is seen past them is found by
+/// rays.
 #[test]
 fn things_that_hide_each_other_leave_pairs_to_rays() {
     let tile = |[x, y]: [f64; 2], z: f64, up: f64| {

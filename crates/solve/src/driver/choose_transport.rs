@@ -158,6 +158,7 @@ pub(super) fn price_of_pairs(
             surfaces: [i, j],
             hulls: [&a.hull, &b.hull],
             are_flat: are_flat == [true; 2],
+            are_constant: sizes.iter().all(|own| own.functions == 1),
             are_whole: sizes.iter().all(CutSize::is_whole),
         };
         let price = (sizes[0].elements * sizes[1].elements) as f64 * price(&pair, visibility);

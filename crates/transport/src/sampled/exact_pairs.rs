@@ -123,6 +123,7 @@ fn element_pair(elements: &Elements, pair: [usize; 2]) -> ElementPair<'_> {
         surfaces: [a.surface, b.surface],
         hulls: [&a.hull, &b.hull],
         are_flat: a.plane.is_some() && b.plane.is_some(),
+        are_constant: pair.iter().all(|own| own.basis.len() == 1),
         are_whole: pair.iter().all(|own| is_whole(own)),
     }
 }

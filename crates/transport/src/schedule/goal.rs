@@ -177,9 +177,9 @@ impl Schedule<'_> {
             }
     }
 
-    /// Whether shadows of all cans, cones and disks among the blockers have closed forms: those of constants, where no
-    /// line from either element meets two blockers. Kites that stand for their arcs tell no error, and miss up to a third
-    /// of what is seen past two disks.
+    /// Whether shadows of all cans, cones and disks among the blockers have closed forms: those of constants, where
+    /// no line from either element meets two blockers. Kites that stand for their arcs tell no error, and miss up
+    /// to a third of what is seen past two disks.
     fn have_closed_forms(&self, pair: [&Element; 2], blockers: &[usize]) -> bool {
         let bodies = self.visibility.one_of_each_body(blockers);
         pair.iter().all(|own| own.basis.len() == 1 && are_apart(own, &bodies, self.visibility))

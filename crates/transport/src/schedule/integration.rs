@@ -74,10 +74,12 @@ impl Schedule<'_> {
         let ends @ [row, column] = task.pair();
         let are_flat = ends.iter().all(|element| self.list[*element].plane.is_some());
         let is_near = row == column || self.bounds[row].is_near(&self.bounds[column]);
+        let are_constant = ends.iter().all(|element| self.list[*element].basis.len() == 1);
         let bits = [are_flat, is_near, row == column, task.own.is_empty()];
         let bits = bits.iter().fold(0, |bits, bit| 2 * bits + u64::from(*bit));
         let class = 16 * task.blockers.len() as u64 + bits;
-        WorkItem { class, price: price::of_blockers(are_flat, &task.blockers, self.visibility) }
+        let price = price::of_blockers([are_flat, are_constant], &task.blockers, self.visibility);
+        WorkItem { class, price }
     }
 
     /// The block of a task; where it is `turned`, the outer integral is over the emitter.
