@@ -250,13 +250,13 @@ fn things_that_hide_each_other_leave_pairs_to_rays() {
     let factor = |other: Option<(Thing, Place)>| {
         let placed = [Some(wide), other].into_iter().flatten();
         let found = factors_of(&scene(plates(), placed), Shadows::Auto, 1e-3, 1e-3);
-        (found.factor(0, 1), found.rays)
+        (found.factor(0, 1), found.errors[0], found.rays)
     };
-    let (alone, none) = factor(None);
+    let (alone, _, none) = factor(None);
     let in_shadow = disk(DVec3::new(0.25, 0.5, 1.0), DVec3::Z, 0.01);
-    let (shadowed, rays) = factor(Some(in_shadow));
+    let (shadowed, told, rays) = factor(Some(in_shadow));
     assert!(none == 0 && rays > 0, "{none} and {rays} rays");
-    assert!((shadowed - alone).abs() < 0.1 * alone, "{shadowed} for {alone}");
+    assert!((shadowed - alone).abs() < 3.0 * told, "{shadowed} for {alone}, told {told:.1e}");
 }
 
 /// Light passes through a tube that no lid closes: by rays.
