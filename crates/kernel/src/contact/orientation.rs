@@ -215,12 +215,13 @@ mod tests {
         assert_eq!(facing(&quarter(0.0, [-0.7, -0.3]), &right, false, EXACTLY), Facing::Partly);
     }
 
-    /// Points of the unit ball at the latitude ψ, on the side of another one about (2.1, 0, −1), have some of
-    /// it above their horizons where 2.1 cos ψ > sin ψ: below 64.5°, v = 0.717.
+    /// Points of the unit ball at the latitude ψ, on the side of another one, 2.1 aside and 1 below, have some of it
+    /// above their horizons where 2.1 cos ψ > sin ψ: below 64.5°, v = 0.717.
     #[test]
     fn a_border_that_faces_a_ball_is_noticed() {
         let cap = |low: f64| patch(ball(DVec3::ZERO), [-0.5, 0.5], [low, 1.0]);
-        let center = DVec3::new(2.1, 0.0, -1.0);
+        let aside = cap(0.7).node(0.5, 0.0).position.with_z(0.0).normalize();
+        let center = 2.1 * aside - DVec3::Z;
         assert!(may_face_ball(&cap(0.7), center, 1.0));
         assert!(!may_face_ball(&cap(0.9), center, 1.0));
     }
