@@ -262,7 +262,7 @@ mod tests {
     use super::*;
 
     /// Strips of a rectangle.
-    const STRIPS: usize = 1000;
+    const STRIPS: usize = 2000;
 
     /// The solid of revolution over `axis`, or a disk where `radii` are its only size; None where it has none.
     fn frustum(base: DVec3, axis: DVec3, height: f64, radii: [f64; 2]) -> Option<Frustum> {
@@ -282,26 +282,57 @@ mod tests {
         corners.map(|[y, z]| DVec3::new(0.0, y, z) - eye)
     }
 
-    /// Irradiance at `eye` from what is hidden of a rectangle: by strips of it, each up to where it is hidden.
-    fn by_strips(n: DVec3, rectangle: &[DVec3; 4], shadow: &RoundShadow) -> f64 {
+    /// Places on the circles at the ends of a solid, relative to `eye`.
+    fn rims(base: DVec3, axis: DVec3, height: f64, radii: [f64; 2], eye: DVec3) -> Vec<DVec3> {
+        const PLACES: usize = 24;
+        let (first, second) = axis.any_orthonormal_pair();
+        let circle = |end: usize| {
+            let center = base + end as f64 * height * axis - eye;
+            let radius = radii[end];
+            (0..PLACES).map(move |k| {
+                let (sin, cos) = (TAU * k as f64 / PLACES as f64).sin_cos();
+                center + radius * (cos * first + sin * second)
+            })
+        };
+        (0..if height == 0.0 { 1 } else { 2 }).flat_map(circle).collect()
+    }
+
+    /// A place amid the convex hull of `places`, from 0 to 1, on the line across at `s`.
+    fn amid(places: &[[f64; 2]], s: f64) -> Option<f64> {
+        let pairs = (0..places.len()).flat_map(|i| (0..i).map(move |j| [places[i], places[j]]));
+        let crossing = pairs.filter(|[a, b]| (a[0] < s) != (b[0] < s));
+        let heights = crossing.map(|[a, b]| a[1] + (b[1] - a[1]) * (s - a[0]) / (b[0] - a[0]));
+        let [low, high] =
+            heights.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], t| [low.min(t), high.max(t)]);
+        let [low, high] = [low.max(0.0), high.min(1.0)];
+        (low <= high).then_some(0.5 * (low + high))
+    }
+
+    /// Irradiance at the origin from what is hidden of a rectangle by a solid between such `rims`: by strips of it,
+    /// each up to where it is hidden. Thin shadows are found by those of the rims, and wide ones by looks along a strip.
+    fn by_strips(n: DVec3, rectangle: &[DVec3; 4], shadow: &RoundShadow, rims: &[DVec3]) -> f64 {
         const LOOKS: usize = 64;
         let [a, b, _, d] = *rectangle;
         let place = |s: f64, t: f64| a + s * (b - a) + t * (d - a);
+        let cast = |rim: &DVec3| {
+            let offset = *rim * (a.x / rim.x) - a;
+            [b - a, d - a].map(|side| offset.dot(side) / side.length_squared())
+        };
+        let cast: Vec<[f64; 2]> = rims.iter().map(cast).collect();
         let strip = |k: usize| {
             let [low, middle, high] = [0.0, 0.5, 1.0].map(|part| (k as f64 + part) / STRIPS as f64);
-            let is_hidden = |t: f64| shadow.holds(place(middle, t));
-            let look = |k: usize| k as f64 / LOOKS as f64;
-            let Some(first) = (0..=LOOKS).find(|k| is_hidden(look(*k))) else { return 0.0 };
-            let last = (0..=LOOKS).rev().find(|k| is_hidden(look(*k))).unwrap_or(first);
-            let border = |mut inside: f64, mut outside: f64| {
+            let is_hidden = |t: &f64| shadow.holds(place(middle, *t));
+            let looks = || (0..=LOOKS).map(|k| k as f64 / LOOKS as f64).find(is_hidden);
+            let Some(hidden) = amid(&cast, middle).filter(is_hidden).or_else(looks) else { return 0.0 };
+            let border = |end: f64| {
+                let (mut inside, mut outside) = (hidden, end);
                 for _ in 0..30 {
                     let middle = 0.5 * (inside + outside);
-                    *(if is_hidden(middle) { &mut inside } else { &mut outside }) = middle;
+                    *(if is_hidden(&middle) { &mut inside } else { &mut outside }) = middle;
                 }
-                inside
+                if is_hidden(&end) { end } else { inside }
             };
-            let from = if first == 0 { 0.0 } else { border(look(first), look(first - 1)) };
-            let to = if last == LOOKS { 1.0 } else { border(look(last), look(last + 1)) };
+            let [from, to] = [0.0, 1.0].map(border);
             lambert::polygon(n, &[place(low, from), place(high, from), place(high, to), place(low, to)])
         };
         (0..STRIPS).map(strip).sum()
@@ -312,7 +343,8 @@ mod tests {
     #[test]
     fn sides_may_pass_joints_and_touch_arcs() {
         let n = -DVec3::X;
-        let cone = frustum(DVec3::new(0.0, 1.0, 0.75), DVec3::X, 1.0, [0.5, 0.0]).expect("a cone");
+        let (base, axis, height, radii) = (DVec3::new(0.0, 1.0, 0.75), DVec3::X, 1.0, [0.5, 0.0]);
+        let cone = frustum(base, axis, height, radii).expect("a cone");
         let ranges = [[0.0, 1.0], [1.0, 2.0]];
         let quarters = ranges.iter().flat_map(|y| ranges.map(|z| [[y[0], z[0]], [y[1], z[1]]]));
         let without = [
@@ -330,10 +362,11 @@ mod tests {
         let rectangles: Vec<[[f64; 2]; 2]> = quarters.chain(without).chain(within).collect();
         for eye in [[0.9, 0.4], [1.0, 0.75], [0.3, 1.7], [1.123, 0.931]].map(|[y, z]| DVec3::new(2.0, y, z)) {
             let shadow = RoundShadow::of_frustum(&cone, eye).expect("the point lies outside");
+            let rims = rims(base, axis, height, radii, eye);
             for rectangle in &rectangles {
                 let seen = wall(*rectangle, eye);
                 let found = hidden_by_round(n, &seen, &shadow).irradiance;
-                let right = by_strips(n, &seen, &shadow);
+                let right = by_strips(n, &seen, &shadow, &rims);
                 assert!((found - right).abs() < 3e-5, "{eye}, {rectangle:?}: {found} for {right}");
             }
         }
@@ -362,12 +395,13 @@ mod tests {
             let ends = [base.x, base.x + axis.x * height];
             let [low, high] = [ends[0].min(ends[1]) - across, ends[0].max(ends[1]) + across];
             prop_assume!(low >= 0.0 && high < 2.0);
-            let Some(body) = frustum(base, axis, height, [radius, share * radius]) else { return Ok(()) };
+            let radii = [radius, share * radius];
+            let Some(body) = frustum(base, axis, height, radii) else { return Ok(()) };
             let Some(shadow) = RoundShadow::of_frustum(&body, eye) else { return Ok(()) };
             let n = -DVec3::X;
             let seen = wall(rectangle.map(|corner: [i32; 2]| corner.map(f64::from)), eye);
             let found = hidden_by_round(n, &seen, &shadow).irradiance;
-            let right = by_strips(n, &seen, &shadow);
+            let right = by_strips(n, &seen, &shadow, &rims(base, axis, height, radii, eye));
             // Half a strip is missed where the outline runs along it; kites stand for parts of arcs.
             prop_assert!((found - right).abs() < 1e-4, "{found} for {right}");
             let kites = by_kites(n, &seen, &shadow).irradiance;
