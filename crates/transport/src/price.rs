@@ -4,6 +4,7 @@ use radiosity_geom::DVec3;
 use radiosity_visibility::Visibility;
 
 use crate::coaxial;
+use crate::occlusion::beside_frusta::{are_round, have_frusta};
 
 /// Rays that take as long as the exact block of two flat elements with nothing between; with flat blockers,
 /// and in addition for each of these; and of all others. From blocks of 30 µs, 200 µs and 250 µs a blocker,
@@ -57,23 +58,22 @@ pub(crate) fn price_up_to(limit: f64, pair: &ElementPair, visibility: &Visibilit
     let blockers = visibility.some_candidates(a, b, surfaces, most + 1);
     match blockers.len() {
         count if count > most => f64::INFINITY,
-        _ => of_blockers([true, are_constant], &blockers, visibility),
+        _ => of_blockers(true, are_constant, &blockers, visibility),
     }
 }
 
 /// The [`price`] of a pair that is flat or not, and carries constants or not, with these blockers between. What cans,
 /// cones and disks hide has a closed form for constants, where nothing but round things stands between.
 pub(crate) fn of_blockers(
-    [are_flat, are_constant]: [bool; 2],
+    are_flat: bool,
+    are_constant: bool,
     blockers: &[usize],
     visibility: &Visibility,
 ) -> f64 {
-    let is_frustum = |own: &usize| visibility.frustum(*own).is_some();
-    let is_round = |own: &usize| is_frustum(own) || visibility.ball(*own).is_some();
-    let of_blocker = |own: &usize| if is_frustum(own) { FRUSTUM } else { BLOCKER };
+    let of_blocker = |own: &usize| if visibility.frustum(*own).is_some() { FRUSTUM } else { BLOCKER };
     let has_outlines = || {
-        let is_closed_form = are_constant && blockers.iter().all(is_round);
-        visibility.has_outlines(blockers) && (is_closed_form || !blockers.iter().any(is_frustum))
+        let is_closed_form = || are_constant && are_round(blockers, visibility);
+        visibility.has_outlines(blockers) && (!have_frusta(blockers, visibility) || is_closed_form())
     };
     match blockers.len() {
         _ if !are_flat => CURVED,

@@ -11,10 +11,9 @@
 //! `cloud`, `convex_bodies`, `screens` (joined surfaces), [`silhouette_mesh`], [`Shadows`] (ways to find
 //! them), `within` (what lies in a convex solid), `obstacle` (of what obstacles are made), `shells` (balls with
 //! something within), `rays`, [`Surroundings`] and `whole` (what rays meet first, about a point, what hides as a
-//! whole), `screened` (what joined surfaces hide), `shaft`
-//! (whether anything can stand between flat surfaces), [`Visibility`], the noun of the crate; then what a scene
-//! says of itself: [`footprints`] (where bodies stand), [`covered_parts`] (flat surfaces on others) and
-//! [`inspection`] (contents, contacts, what looks wrong).
+//! whole), `screened` (what joined surfaces hide), `shaft` (whether anything can stand between flat surfaces),
+//! [`Visibility`], the noun of the crate; then what a scene says of itself: [`footprints`] (where bodies stand),
+//! [`covered_parts`] (flat surfaces on others) and [`inspection`] (contents, contacts, what looks wrong).
 //!
 //! Imports `core`, `geom`, `work`, `fit` and `scene`.
 

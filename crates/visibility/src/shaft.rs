@@ -91,7 +91,7 @@ struct Standing {
 
 /// Some of the surfaces between two groups, by their places among these: such as may stand between one member of a
 /// group and all of the other.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug)]
 pub struct Places(SmallVec<[u64; 2]>);
 
 impl Places {

@@ -107,8 +107,8 @@ impl Visibility {
         faces.all(|face| (is_ball || is_between_ends(face)) && self.encloses(round, *face))
     }
 
-    /// Shadows from `x` of `surfaces` with outlines, one per body, that may hide a part of `ball`; those of
-    /// round ones with so many `corners` on a full turn.
+    /// Shadows from `x` of planar `surfaces` and balls, one per body, that may hide a part of `ball`; those of
+    /// balls with so many `corners` on a full turn.
     pub fn shadows(&self, surfaces: &[usize], x: DVec3, ball: &Ball, corners: usize) -> Vec<BlockerShadow> {
         let mut shadows = Vec::with_capacity(surfaces.len());
         let stands = |piece: &[DVec3]| !ball.is_beside(piece, x);
@@ -116,11 +116,6 @@ impl Visibility {
         for surface in surfaces {
             if let Some((center, radius)) = self.ball(*surface) {
                 shadows.extend(ShadowCone::over(center, radius, x, corners).map(BlockerShadow::Cone));
-                continue;
-            }
-            if let Some(frustum) = self.frustum(*surface) {
-                let pyramid = frustum.outline(x).and_then(|outline| outline.pyramid(x, corners));
-                shadows.extend(pyramid.map(BlockerShadow::Pyramid));
                 continue;
             }
             self.add_volumes(*surface, x, stands, &mut volumes);

@@ -23,17 +23,23 @@ pub(crate) fn outer_sides(pair: [&Element; 2], blockers: &[usize], visibility: &
     [0, 1].map(may_be_outer)
 }
 
-/// Whether shadows of `bodies` can be summed: all are frusta or balls, one a frustum at least, and no line from an
-/// element meets two of them.
+/// Whether cans, cones or disks are among `blockers`.
+pub(crate) fn have_frusta(blockers: &[usize], visibility: &Visibility) -> bool {
+    blockers.iter().any(|own| visibility.frustum(*own).is_some())
+}
+
+/// Whether all `blockers` are frusta or balls.
+pub(crate) fn are_round(blockers: &[usize], visibility: &Visibility) -> bool {
+    blockers.iter().all(|own| visibility.frustum(*own).is_some() || visibility.ball(*own).is_some())
+}
+
+/// Whether shadows of `bodies` can be summed: all are frusta or balls, and no line from an element meets two of them.
 pub(crate) fn are_apart(outer: &Element, bodies: &[usize], visibility: &Visibility) -> bool {
-    let is_frustum = |body: &usize| visibility.frustum(*body).is_some();
-    let is_round = |body: &usize| is_frustum(body) || visibility.ball(*body).is_some();
     // The nearer one of two would lie between the element and the other.
     let comes_before = |near: usize, far: usize| {
         near != far && !separated(&outer.hull, visibility.hull(far), visibility.hull(near), 0.0)
     };
-    bodies.iter().all(is_round)
-        && bodies.iter().any(is_frustum)
+    are_round(bodies, visibility)
         && !bodies.iter().any(|near| bodies.iter().any(|far| comes_before(*near, *far)))
 }
 

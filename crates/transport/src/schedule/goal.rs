@@ -13,7 +13,7 @@ use radiosity_visibility::frustum::Frustum;
 use radiosity_work::interruption::check_interrupt;
 
 use crate::kept_blocks::Request;
-use crate::occlusion::beside_frusta::{are_apart, outer_sides};
+use crate::occlusion::beside_frusta::{are_apart, have_frusta, outer_sides};
 use crate::occlusion::outlines::{Limit, share_sphere};
 use crate::occlusion::outside_ball::lies_outside;
 use crate::pair::tolerance::Tolerance;
@@ -167,11 +167,10 @@ impl Schedule<'_> {
             task.blockers.iter().all(|blocker| self.visibility.encloses(sphere, *blocker))
         };
         let has_outer_side = || outer_sides(elements, &task.blockers, self.visibility).contains(&true);
-        let has_frusta = task.blockers.iter().any(|blocker| self.visibility.frustum(*blocker).is_some());
         task.own.is_empty()
             && self.visibility.has_outlines(&task.blockers)
             && task.blockers.iter().all(is_outside)
-            && match has_frusta {
+            && match have_frusta(&task.blockers, self.visibility) {
                 true => has_outer_side() && self.have_closed_forms(elements, &task.blockers),
                 false => has_outer_side() || are_within() && share_sphere(elements),
             }

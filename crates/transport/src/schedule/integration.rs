@@ -78,7 +78,7 @@ impl Schedule<'_> {
         let bits = [are_flat, is_near, row == column, task.own.is_empty()];
         let bits = bits.iter().fold(0, |bits, bit| 2 * bits + u64::from(*bit));
         let class = 16 * task.blockers.len() as u64 + bits;
-        let price = price::of_blockers([are_flat, are_constant], &task.blockers, self.visibility);
+        let price = price::of_blockers(are_flat, are_constant, &task.blockers, self.visibility);
         WorkItem { class, price }
     }
 

@@ -8,7 +8,7 @@ use radiosity_kernel::rules::zone::Zone;
 use radiosity_visibility::Visibility;
 use radiosity_visibility::bounding_ball::Ball;
 
-use crate::occlusion::beside_frusta::are_apart;
+use crate::occlusion::beside_frusta::have_frusta;
 use crate::occlusion::outlines::edges::Edges;
 use crate::tolerances::LOOSEST_OF_OUTLINES;
 
@@ -63,9 +63,9 @@ pub(super) struct Correction<'a> {
     /// Whether kinks are curved, as those past cans, cones and disks, and past balls between flat elements: no cut
     /// follows them.
     pub(super) is_round: bool,
-    /// Whether the shadow of each blocker counts by itself, in closed form: one is a can, a cone or a disk, the others
-    /// are round as well, and from no point one hides a part of another. Balls alone have kites, which are as fast.
-    pub(super) are_apart: bool,
+    /// Whether one of the blockers is a can, a cone or a disk: then the shadow of each counts by itself, in closed
+    /// form. Balls alone have kites, which are as fast.
+    pub(super) has_frusta: bool,
 }
 
 impl<'a> Correction<'a> {
@@ -94,6 +94,7 @@ impl<'a> Correction<'a> {
                 (other.hull.clone(), InnerShape::OfSphere(zone))
             }
         };
+        let has_frusta = have_frusta(blockers, visibility);
         let more_corners = if matches!(inner_shape, InnerShape::OfSphere(_)) { ON_SPHERES } else { 1 };
         Self {
             pair,
@@ -111,8 +112,8 @@ impl<'a> Correction<'a> {
             ball_corners: ball_corners(accuracy) * more_corners,
             accuracy,
             limit,
-            are_apart: are_apart(outer, blockers, visibility),
-            is_round: blockers.iter().any(|own| visibility.frustum(*own).is_some())
+            has_frusta,
+            is_round: has_frusta
                 || pair.iter().all(|element| element.plane.is_some()) && !visibility.are_planar(blockers),
         }
     }

@@ -268,12 +268,10 @@ impl<'a> CorrectionSums<'a> {
             self.samples += 1;
             return HiddenShare::Part;
         }
-        let Correction { visibility, inner_shape, ball, ball_corners, are_apart, .. } = self.correction;
+        let Correction { visibility, inner_shape, ball, ball_corners, has_frusta, .. } = self.correction;
         let shadows = || visibility.shadows(blockers, x.position, ball, *ball_corners);
         let (any, everything) = match inner_shape {
-            InnerShape::Flat(facets) if *are_apart && out.len() == 1 => {
-                self.hidden_by_each(facets, x, blockers, out)
-            }
+            InnerShape::Flat(facets) if *has_frusta => self.hidden_by_each(facets, x, blockers, out),
             InnerShape::Flat(facets) => self.hidden_of_facets(facets, x, &shadows(), out),
             InnerShape::OfSphere(zone) => (self.hidden_of_sphere(zone, x, &shadows(), out), false),
         };
