@@ -368,7 +368,10 @@ impl Job<'_> {
     /// Halves the worst cells until the sum of errors, partly inherited from larger cells, is small enough.
     fn halve(&mut self, queue: &mut Queue, most_cells: usize) {
         while !self.is_enough(queue) && self.cut.samples <= self.budget && queue.len() < most_cells {
-            let Some(cell) = queue.pop() else { break };
+            let Some(mut cell) = queue.pop() else { break };
+            if let Some(other) = cell.told_by_much_larger() {
+                self.look(&mut cell, other);
+            }
             let (direction, is_known) = cell.worse();
             for mut cell in if is_known { cell.cut(direction) } else { vec![cell] } {
                 self.look(&mut cell, direction);

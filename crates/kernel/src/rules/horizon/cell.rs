@@ -10,7 +10,7 @@
 //! where the halves have ⌈¾ n⌉ points in the direction d, 3 at least, and the moments of the cell are those
 //! of its halves in the direction d of the larger e among those that were halved. ¼ is 2⁻³, the ratio at a
 //! kink of second order, doubled for the position of the kink. The error known in one direction is kept when
-//! the other is halved: each half inherits half of it. m is the error of the margins of both
+//! the other is halved: each half inherits half of it, for two generations. m is the error of the margins of both
 //! halves (`margin`). `missed` is 0 unless no point of any rule sees anything; then it is 0.05 of the largest
 //! entry that the cell would have if all its points saw as much as its best corner.
 
@@ -24,6 +24,11 @@ use crate::tolerances::ERROR_OF_HALVES;
 /// Points that halves take in the direction of halving, relative to those of the whole: with ½ the halves
 /// would resolve what is smooth no better than the whole, with 1 they would take twice its points.
 const HALF_POINTS: f64 = 0.75;
+
+/// Halvings in one direction after which the error of the other one is computed anew, before a cell is halved again. A
+/// whole and its halves may agree by chance, and all parts would inherit that. With 1 most of these errors would be
+/// computed in vain.
+const OLDEST: u32 = 3;
 
 /// The two directions, in order.
 pub(super) const DIRECTIONS: [Direction; 2] = [Direction::Along, Direction::Across];
@@ -51,6 +56,8 @@ pub(super) struct Cell {
     errors: [f64; 2],
     /// Which errors are not inherited.
     own: [bool; 2],
+    /// Halvings since the inherited error was computed.
+    age: u32,
     /// Share of the cell in the outer patch, by parameters.
     share: f64,
     /// Error estimated from its corners, where no point of a rule sees anything.
@@ -65,6 +72,7 @@ impl Cell {
             halves: [None, None],
             errors: [f64::INFINITY; 2],
             own: [false; 2],
+            age: 0,
             share: 1.0,
             missed: 0.0,
         }
@@ -116,6 +124,11 @@ impl Cell {
         (0..2).find(|direction| !self.own[*direction])
     }
 
+    /// A direction whose error is inherited from a cell that was much larger.
+    pub(super) fn told_by_much_larger(&self) -> Option<usize> {
+        self.told_by_larger().filter(|_| self.age >= OLDEST)
+    }
+
     /// Whether no point of any rule sees anything.
     pub(super) fn is_dark(&self) -> bool {
         self.whole.is_dark && self.halves.iter().flatten().flatten().all(|half| half.is_dark)
@@ -145,9 +158,10 @@ impl Cell {
     pub(super) fn cut(mut self, direction: usize) -> Vec<Self> {
         let mut errors = [f64::INFINITY; 2];
         errors[1 - direction] = 0.5 * self.errors[1 - direction];
+        let age = if self.own[1 - direction] { 1 } else { self.age + 1 };
         let (halves, share) = (self.halves[direction].take().into_iter().flatten(), 0.5 * self.share);
         halves
-            .map(|whole| Self { whole, halves: [None, None], errors, own: [false; 2], share, missed: 0.0 })
+            .map(|whole| Self { whole, halves: [None, None], errors, own: [false; 2], age, share, missed: 0.0 })
             .collect()
     }
 
