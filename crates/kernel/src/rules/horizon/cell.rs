@@ -161,7 +161,15 @@ impl Cell {
         let age = if self.own[1 - direction] { 1 } else { self.age + 1 };
         let (halves, share) = (self.halves[direction].take().into_iter().flatten(), 0.5 * self.share);
         halves
-            .map(|whole| Self { whole, halves: [None, None], errors, own: [false; 2], age, share, missed: 0.0 })
+            .map(|whole| Self {
+                whole,
+                halves: [None, None],
+                errors,
+                own: [false; 2],
+                age,
+                share,
+                missed: 0.0,
+            })
             .collect()
     }
 
