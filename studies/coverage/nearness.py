@@ -1,12 +1,12 @@
 """Errors told beside true ones where things are near to each other. See README.md.
 
     python nearness.py pairs -n 200 [--seed 1] [--command radiosity] [--eps 1e-3,1e-6] [--fine 1e-9] [-o pairs.csv]
-    python nearness.py heat -n 100 [--seed 1] [--command radiosity] [-o heat.csv]
+    python nearness.py heat -n 100 [--seed 1] [--kinds box] [--command radiosity] [-o heat.csv]
     python nearness.py sweeps [--command radiosity] [--eps 1e-6]
     python nearness.py show pairs 17 [--seed 1]
 
-`pairs`: two surfaces, one of them curved at least, at a gap of 1e-3 to 1 of their size. Factors at `--eps` stand beside those at `--fine`, or
-those by 2^RAYS rays of this script where the fine run has sent rays itself.
+`pairs`: two surfaces, one of them curved at least, at a gap of 1e-3 to 1 of their size. Factors at `--eps` stand beside those at `--fine`; cases
+whose fine run takes longer than a minute, as those that go to rays, are left out and counted.
 `heat`: closed rooms with one to three boxes, cans and balls at gaps of 1e-4 to 0.1 from walls and from each other, by the defaults and by
 elements and rules that are finer.
 `sweeps`: plates, balls over a disk, tubes in tubes and boxes in recesses, at gaps of 1 to 1e-12, beside closed forms.
@@ -31,10 +31,13 @@ from behind import across, body, box, cone, disk, plate, unit
 
 CURVED = ["ball", "cylinder", "cone", "tube"]
 FLAT = ["disk", "rectangle"]
+BODIES = ["box", "can", "ball"]
 # A true error is seen where it is this many times what the finer run tells.
 SEEN = 5.0
 # Told over true has to lie between these for 95 % of what is seen.
 RANGE = [0.5, 3.0]
+# Longest run (s).
+LONGEST = 60.0
 # Of the largest flow of a room: true errors below are those of the finer run.
 FLOOR_OF_HEAT = 1e-5
 
@@ -96,14 +99,14 @@ def all_clear(tree, points, way, low, high, gap):
     return all(tree.query(points + step * way)[0].min() > gap for step in np.linspace(low, high, 12))
 
 
-def enclosure(number, seed):
+def enclosure(number, seed, kinds=BODIES):
     """The title, the surfaces and the materials of a closed room with bodies at narrow gaps."""
     draw = random.Random(f"heat/{seed}/{number}")
     size = np.array([draw.uniform(0.8, 1.6) for _ in range(3)])
     surfaces = box("wall", [0, 0, 0], np.diag(size), inward=True)
     titles, cursor = [], 0.0
     for k in range(draw.randint(1, 2)):
-        kind, gap = draw.choice(["box", "can", "ball"]), 10 ** draw.uniform(-4, -1)
+        kind, gap = draw.choice(kinds), 10 ** draw.uniform(-4, -1)
         wide = draw.uniform(0.15, 0.35) * size[0]
         # One after the other along x, the gap between them, and over the floor.
         low = np.array([cursor + gap, draw.uniform(0.1, 0.3) * size[1], gap * draw.choice([1.0, 3.0])])
@@ -145,47 +148,55 @@ def written(folder, surfaces, materials=None):
 
 
 def run(command, verb, file, *options):
-    done = subprocess.run([command, verb, file, "--format", "json", "--threads", "1", *options], capture_output=True, text=True)
+    words = [command, verb, file, "--format", "json", "--threads", "1", *options]
+    done = subprocess.run(words, capture_output=True, text=True, timeout=LONGEST)
     if done.returncode not in (0, 3):
         raise RuntimeError(f"{verb} {' '.join(options)}: {done.stderr.strip().splitlines()[-1]}")
     return json.loads(done.stdout)
 
 
-def rows_of_pairs(typed):
+def rows_of_cases(typed, of_case):
+    """The rows of all cases; says which took too long."""
     for number in range(typed.start, typed.start + typed.n):
-        title, surfaces = pair(number, typed.seed)
-        with tempfile.TemporaryDirectory() as folder:
-            file = written(folder, surfaces)
-            fine = run(typed.command, "view-factors", file, "--eps", typed.fine)
-            for eps in typed.eps.split(","):
-                found = run(typed.command, "view-factors", file, "--eps", eps)
-                for i in range(2):
-                    largest = max(fine["factors"][i])
-                    if largest == 0:
-                        continue
-                    off = max(abs(a - b) for a, b in zip(found["factors"][i], fine["factors"][i]))
-                    yield {
-                        "case": number, "title": title, "what": f"row {i}", "eps": eps, "off": off / largest,
-                        "told": found["errors"][i] / largest, "fine": fine["errors"][i] / largest, "seconds": found["seconds"],
-                    }
+        try:
+            yield from list(of_case(typed, number))
+        except subprocess.TimeoutExpired:
+            print(f"{number:4} left out: longer than {LONGEST:.0f} s", flush=True)
 
 
-def rows_of_heat(typed):
-    for number in range(typed.start, typed.start + typed.n):
-        title, surfaces, materials = enclosure(number, typed.seed)
-        with tempfile.TemporaryDirectory() as folder:
-            file = written(folder, surfaces, materials)
-            found = run(typed.command, "heat", file)
-            fine = run(typed.command, "heat", file, "--subdivide", "4", "--order", "4", "--eps", "1e-6")
-        flows = [abs(row["flow"]) for row in fine["surfaces"]]
-        for own, right in zip(found["surfaces"], fine["surfaces"]):
-            key = "temperature" if own["is_flow_known"] and not own["is_temperature_known"] else "flow"
-            unit_ = right["temperature"] if key == "temperature" else max(flows)
-            yield {
-                "case": number, "title": title, "what": f"{own['name']} {key}", "eps": "", "off": abs(own[key] - right[key]) / unit_,
-                "told": own[f"{key}_error"] / unit_, "fine": max(right[f"{key}_error"] / unit_, FLOOR_OF_HEAT / SEEN),
-                "seconds": "",
-            }
+def rows_of_pair(typed, number):
+    title, surfaces = pair(number, typed.seed)
+    with tempfile.TemporaryDirectory() as folder:
+        file = written(folder, surfaces)
+        fine = run(typed.command, "view-factors", file, "--eps", typed.fine)
+        for eps in typed.eps.split(","):
+            found = run(typed.command, "view-factors", file, "--eps", eps)
+            for i in range(2):
+                largest = max(fine["factors"][i])
+                if largest == 0:
+                    continue
+                off = max(abs(a - b) for a, b in zip(found["factors"][i], fine["factors"][i]))
+                yield {
+                    "case": number, "title": title, "what": f"row {i}", "eps": eps, "off": off / largest,
+                    "told": found["errors"][i] / largest, "fine": fine["errors"][i] / largest, "seconds": found["seconds"],
+                }
+
+
+def rows_of_room(typed, number):
+    title, surfaces, materials = enclosure(number, typed.seed, typed.kinds.split(","))
+    with tempfile.TemporaryDirectory() as folder:
+        file = written(folder, surfaces, materials)
+        found = run(typed.command, "heat", file)
+        fine = run(typed.command, "heat", file, "--subdivide", "3", "--order", "4", "--eps", "1e-5")
+    flows = [abs(row["flow"]) for row in fine["surfaces"]]
+    for own, right in zip(found["surfaces"], fine["surfaces"]):
+        key = "temperature" if own["is_flow_known"] and not own["is_temperature_known"] else "flow"
+        unit_ = right["temperature"] if key == "temperature" else max(flows)
+        yield {
+            "case": number, "title": title, "what": f"{own['name']} {key}", "eps": "", "off": abs(own[key] - right[key]) / unit_,
+            "told": own[f"{key}_error"] / unit_, "fine": max(right[f"{key}_error"] / unit_, FLOOR_OF_HEAT / SEEN),
+            "seconds": "",
+        }
 
 
 # Closed forms of sweeps.
@@ -299,7 +310,9 @@ def main():
             own.add_argument("--start", type=int, default=0)
             own.add_argument("--seed", type=int, default=1)
             own.add_argument("-o", "--output")
-        if name != "heat":
+        if name == "heat":
+            own.add_argument("--kinds", default=",".join(BODIES))
+        else:
             own.add_argument("--eps", default="1e-3,1e-6" if name == "pairs" else "1e-6")
         if name == "pairs":
             own.add_argument("--fine", default="1e-9")
@@ -314,7 +327,7 @@ def main():
     elif typed.verb == "sweeps":
         sweeps(typed)
     else:
-        scan(typed, rows_of_pairs(typed) if typed.verb == "pairs" else rows_of_heat(typed))
+        scan(typed, rows_of_cases(typed, rows_of_pair if typed.verb == "pairs" else rows_of_room))
     return 0
 
 
