@@ -1,7 +1,7 @@
 //! The constants of one occlusion correction.
 
 use radiosity_elements::Element;
-use radiosity_geom::DVec3;
+use radiosity_geom::{DVec3, separated};
 use radiosity_kernel::contact::clip::Facet;
 use radiosity_kernel::moments::Side;
 use radiosity_kernel::rules::zone::Zone;
@@ -63,6 +63,8 @@ pub(super) struct Correction<'a> {
     /// Whether kinks are curved, as those past cans, cones and disks, and past balls between flat elements: no cut
     /// follows them.
     pub(super) is_round: bool,
+    /// Whether a blocker may pass through a curved outer element: what is hidden jumps where it does.
+    pub(super) is_cut: bool,
     /// Whether one of the blockers is a can, a cone or a disk: then the shadow of each counts by itself, in closed
     /// form. Balls alone have kites, which are as fast.
     pub(super) has_frusta: bool,
@@ -113,10 +115,16 @@ impl<'a> Correction<'a> {
             accuracy,
             limit,
             has_frusta,
+            is_cut: is_cut(outer, blockers, visibility),
             is_round: has_frusta
                 || pair.iter().all(|element| element.plane.is_some()) && !visibility.are_planar(blockers),
         }
     }
+}
+
+fn is_cut(element: &Element, blockers: &[usize], visibility: &Visibility) -> bool {
+    let hull = &element.hull;
+    element.plane.is_none() && blockers.iter().any(|own| !separated(hull, hull, visibility.hull(*own), 0.0))
 }
 
 /// Fewest corners that stand for a ball's outline: six kites, each of a sixth of a turn.
