@@ -59,8 +59,7 @@ pub(super) struct Occlusion {
     pub hides: bool,
     /// Whether everything is hidden from every point of the rule.
     pub dark: bool,
-    /// Estimate of the largest error, from cells left at the smallest size, and from those on which two levels
-    /// agree where kinks are curved.
+    /// Estimate of the largest error, from cells left at the smallest size, and from those on which two levels agree.
     pub error: f64,
     /// Terms of the rules.
     pub samples: u64,
@@ -139,9 +138,8 @@ impl<'a> CorrectionSums<'a> {
     }
 
     pub(super) fn finish(self) -> Occlusion {
-        let Self { correction, hides, dark, samples, moments, .. } = self;
-        let agreed = if correction.is_round { self.squares.sqrt() / AGREED_BY_LEVELS } else { 0.0 };
-        let error = self.error + agreed;
+        let Self { hides, dark, samples, moments, .. } = self;
+        let error = self.error + self.squares.sqrt() / AGREED_BY_LEVELS;
         Occlusion { values: moments.into_block(), hides, dark: dark && hides, error, samples }
     }
 
