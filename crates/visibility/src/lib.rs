@@ -91,8 +91,9 @@ pub struct Visibility {
     /// Rank of each surface by the coordinates of its hull.
     places: Vec<usize>,
     shadows: Shadows,
-    /// Accuracy of the shadows: a curved blocker that reaches into the shaft by less than this part of the
-    /// narrower patch's breadth is ignored, as it hides at most about that part of the light between them.
+    /// Accuracy of the shadows: a blocker that reaches into the shaft by less than this part of the narrower patch's
+    /// breadth, times its own thickness over its size, is ignored, as it hides at most about that part of the light
+    /// between them.
     eps: f64,
 }
 
@@ -124,13 +125,15 @@ impl Visibility {
         let (bodies, screens) = bodies(&obstacles, &cloud);
         let places = places(&obstacles);
         let frusta = frusta(&obstacles, &boxes, &tree);
+        let standing = standing(&obstacles, &cloud, &boxes);
+        let standing_boxes: Vec<Aabb> = standing.iter().map(|index| boxes[*index]).collect();
         let unseen = Self {
             obstacles,
             boxes,
             tree,
             rays,
-            standing: Vec::new(),
-            standing_tree: Bvh::build(&[]),
+            standing,
+            standing_tree: Bvh::build(&standing_boxes),
             bodies,
             frusta,
             screens,
@@ -147,14 +150,11 @@ impl Visibility {
     pub fn found_by(self, shadows: Shadows, eps: f64) -> Self {
         let eps = if shadows == Shadows::Off { 0.0 } else { eps };
         let Self { obstacles, boxes, tree, rays, .. } = &self;
-        let standing = standing(obstacles, &cloud_of(obstacles), boxes, eps);
-        let standing_boxes: Vec<Aabb> = standing.iter().map(|index| boxes[*index]).collect();
-        let standing_tree = Bvh::build(&standing_boxes);
         let shells = match shadows {
             Shadows::Off => Shells::default(),
             _ => Shells::of(obstacles, boxes, tree, |own| rays.other_side(own)),
         };
-        Self { standing, standing_tree, shells, shadows, eps, ..self }
+        Self { shells, shadows, eps, ..self }
     }
 
     /// Candidate blockers between the hulls of the points `a` and `b`, ascending: without the two `surfaces`,
@@ -309,9 +309,9 @@ impl Visibility {
         let (around_a, around_b) = (Ball::around(a), Ball::around(b));
         let reaches = move |index: &usize| {
             let Hull { ball, points } = part(*index);
-            // A plate or a lid flush before a surface reaches into the shaft by little, but hides much.
-            let is_exact = self.obstacles[*index].pieces.is_some() || self.frusta[*index].is_some();
-            let tolerance = if is_exact { COINCIDENT } else { self.eps };
+            // What is flat and lies flush before a surface reaches into the shaft by little, but hides much.
+            let slimness = if self.frusta[*index].is_some() { 0.0 } else { self.obstacles[*index].slimness };
+            let tolerance = (self.eps * slimness).max(COINCIDENT);
             !ball.misses_between(&around_a, &around_b) && !separated(a, b, points, tolerance * size)
         };
         blockers.iter().copied().filter(reaches)
@@ -510,9 +510,8 @@ impl Visibility {
 /// The surfaces that can stand between two others, ascending.
 ///
 /// A planar surface with the whole scene on one side of its plane, such as a wall of a convex room, cannot.
-/// Nor can a curved wall on a convex solid within which the whole scene lies, such as that of a can, nor a
-/// slightly bent wall whose depth over its diagonal is below `eps`, the accuracy of the shadows.
-fn standing(obstacles: &[Obstacle], cloud: &Cloud, boxes: &[Aabb], eps: f64) -> Vec<usize> {
+/// Nor can a curved wall on a convex solid within which the whole scene lies, such as that of a can.
+fn standing(obstacles: &[Obstacle], cloud: &Cloud, boxes: &[Aabb]) -> Vec<usize> {
     let walls_in = |index: &usize| {
         let Obstacle { shape, hull, .. } = &obstacles[*index];
         let Jet { position, normal, .. } = shape.jet(0.0, 0.0);
@@ -522,7 +521,7 @@ fn standing(obstacles: &[Obstacle], cloud: &Cloud, boxes: &[Aabb], eps: f64) -> 
         let range = |(low, high): (f64, f64), h: f64| (low.min(h), high.max(h));
         let heights = hull.iter().map(|x| tangent.height(*x));
         let (low, high) = heights.fold((f64::MAX, f64::MIN), range);
-        high - low <= touching(size, 0.0).max(eps * size)
+        high - low <= touching(size, 0.0)
             && (cloud.lies_below(-low, &reversed, size) || cloud.lies_below(high, &tangent, size))
     };
     (0..obstacles.len())

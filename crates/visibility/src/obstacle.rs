@@ -36,6 +36,8 @@ pub(super) struct Obstacle {
     solid: OnceLock<Option<ConvexSolid>>,
     /// The surfaces within that solid, ascending; found when first needed.
     pub(super) enclosed: OnceLock<Vec<usize>>,
+    /// Thickness along the thinnest of its normals, over its size: 0 of what is flat.
+    pub(super) slimness: f64,
     /// Position relative to its own tangent planes.
     pub(super) bend: Bend,
     /// Tangent planes at sampled points of a curved obstacle.
@@ -50,10 +52,14 @@ impl Obstacle {
         let pieces = shape.region().map(|region| region.convex_pieces().to_vec());
         let jets = if pieces.is_some() { Vec::new() } else { looks(shape.as_ref()) };
         let bend = Bend::of(&jets);
-        let looks = jets.iter().map(|jet| Plane { point: jet.position, normal: jet.normal }).collect();
+        let looks: Vec<Plane> =
+            jets.iter().map(|jet| Plane { point: jet.position, normal: jet.normal }).collect();
         let (shape, ball) = (Arc::clone(shape), Ball::around(&hull));
+        let thicknesses = looks.iter().map(|look| thickness(&hull, look));
+        let thinnest = thicknesses.reduce(f64::min).unwrap_or(0.0);
+        let slimness = (thinnest / (2.0 * ball.radius())).min(1.0);
         let (solid, enclosed, mesh) = (OnceLock::new(), OnceLock::new(), OnceLock::new());
-        Self { shape, ball, hull, pieces, solid, enclosed, bend, looks, mesh }
+        Self { shape, ball, hull, pieces, solid, enclosed, slimness, bend, looks, mesh }
     }
 
     /// Whether it lies on the boundary of a convex solid within which the other one lies. It lies within its
@@ -160,6 +166,12 @@ impl Obstacle {
     pub(super) fn is_bent(&self) -> bool {
         self.looks.iter().any(|look| look.normal.dot(self.looks[0].normal) < ALIKE)
     }
+}
+
+/// Largest difference of heights over a plane.
+fn thickness(points: &[DVec3], plane: &Plane) -> f64 {
+    let heights = || points.iter().map(|x| plane.height(*x));
+    heights().fold(f64::MIN, f64::max) - heights().fold(f64::MAX, f64::min)
 }
 
 /// Jets at a grid of points of a surface.

@@ -16,9 +16,11 @@
 
 use std::cmp::Ordering;
 
+use radiosity_elements::basis::AreaBasis;
 use radiosity_elements::patch::{Direction, Patch};
 
 use crate::estimates::entry_norm::EntryNorm;
+use crate::rules::horizon::carried::Carried;
 use crate::tolerances::ERROR_OF_HALVES;
 
 /// Points that halves take in the direction of halving, relative to those of the whole: with ½ the halves
@@ -39,7 +41,7 @@ pub(super) struct Whole {
     pub patch: Patch,
     /// Points along and across of the rule.
     pub points: [usize; 2],
-    pub moments: Vec<f64>,
+    pub carried: Carried,
     pub is_dark: bool,
     /// Estimates of what the rule misses in the margins across either direction.
     pub missed: [f64; 2],
@@ -86,8 +88,9 @@ impl Cell {
     }
 
     /// Stores the halves of a direction.
-    pub(super) fn look(&mut self, direction: usize, halves: [Whole; 2], norm: &EntryNorm) {
-        self.errors[direction] = norm.difference(&sum(&halves), &self.whole.moments);
+    pub(super) fn look(&mut self, direction: usize, halves: [Whole; 2], basis: &AreaBasis, norm: &EntryNorm) {
+        let Whole { patch, carried, .. } = &self.whole;
+        self.errors[direction] = sum(&halves).difference(carried, patch, basis, norm);
         self.halves[direction] = Some(halves);
         self.own[direction] = true;
     }
@@ -151,7 +154,10 @@ impl Cell {
     /// Moments of the cell, by halves where these are known.
     pub(super) fn moments(self) -> Vec<f64> {
         let better = self.better();
-        better.and_then(|direction| self.halves[direction].as_ref().map(sum)).unwrap_or(self.whole.moments)
+        better
+            .and_then(|direction| self.halves[direction].as_ref().map(sum))
+            .unwrap_or(self.whole.carried)
+            .moments
     }
 
     /// Its two halves in a direction where they are known.
@@ -184,6 +190,6 @@ fn in_margins(halves: &[Whole; 2]) -> f64 {
     halves.iter().flat_map(|half| half.missed).sum()
 }
 
-fn sum(halves: &[Whole; 2]) -> Vec<f64> {
-    halves[0].moments.iter().zip(&halves[1].moments).map(|(a, b)| a + b).collect()
+fn sum(halves: &[Whole; 2]) -> Carried {
+    Carried::sum(halves.each_ref().map(|half| &half.carried))
 }

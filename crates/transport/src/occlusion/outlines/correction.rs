@@ -1,7 +1,7 @@
 //! The constants of one occlusion correction.
 
 use radiosity_elements::Element;
-use radiosity_geom::DVec3;
+use radiosity_geom::{DVec3, separated};
 use radiosity_kernel::contact::clip::Facet;
 use radiosity_kernel::moments::Side;
 use radiosity_kernel::rules::zone::Zone;
@@ -60,9 +60,8 @@ pub(super) struct Correction<'a> {
     /// Relative accuracy of the inner integrals: 0.3 of the block's, most of which is left to the outer ones.
     pub(super) accuracy: f64,
     pub(super) limit: Limit,
-    /// Whether kinks are curved, as those past cans, cones and disks, and past balls between flat elements: no cut
-    /// follows them.
-    pub(super) is_round: bool,
+    /// Whether a blocker may pass through a curved outer element: what is hidden jumps where it does.
+    pub(super) is_cut: bool,
     /// Whether one of the blockers is a can, a cone or a disk: then the shadow of each counts by itself, in closed
     /// form. Balls alone have kites, which are as fast.
     pub(super) has_frusta: bool,
@@ -113,10 +112,15 @@ impl<'a> Correction<'a> {
             accuracy,
             limit,
             has_frusta,
-            is_round: has_frusta
-                || pair.iter().all(|element| element.plane.is_some()) && !visibility.are_planar(blockers),
+            is_cut: is_cut(outer, blockers, visibility),
         }
     }
+}
+
+/// Whether a blocker may pass through a curved element.
+fn is_cut(element: &Element, blockers: &[usize], visibility: &Visibility) -> bool {
+    let hull = &element.hull;
+    element.plane.is_none() && blockers.iter().any(|own| !separated(hull, hull, visibility.hull(*own), 0.0))
 }
 
 /// Fewest corners that stand for a ball's outline: six kites, each of a sixth of a turn.

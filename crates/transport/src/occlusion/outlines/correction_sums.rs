@@ -43,6 +43,13 @@ const SURE: usize = 2;
 /// varies little between them in cells that its rules may be used on.
 const CARRIED: f64 = 1.2;
 
+/// Place next to a side of a cell, as a part of its length, where a jump between the side and the points of the rule is
+/// looked for. A smaller value is spent on jumps along sides; a larger one leaves as much unseen.
+const NEXT_TO_SIDE: f64 = 1e-3;
+
+/// Part of a cell between a side and the outermost points of a rule of two; those of more leave less.
+const OUTERMOST: f64 = 0.2;
+
 /// An occlusion correction.
 #[derive(Debug)]
 pub(super) struct Occlusion {
@@ -52,8 +59,7 @@ pub(super) struct Occlusion {
     pub hides: bool,
     /// Whether everything is hidden from every point of the rule.
     pub dark: bool,
-    /// Estimate of the largest error, from cells left at the smallest size, and from those on which two levels
-    /// agree where kinks are curved.
+    /// Estimate of the largest error, from cells left at the smallest size, and from those on which two levels agree.
     pub error: f64,
     /// Terms of the rules.
     pub samples: u64,
@@ -132,9 +138,8 @@ impl<'a> CorrectionSums<'a> {
     }
 
     pub(super) fn finish(self) -> Occlusion {
-        let Self { correction, hides, dark, samples, moments, .. } = self;
-        let agreed = if correction.is_round { self.squares.sqrt() / AGREED_BY_LEVELS } else { 0.0 };
-        let error = self.error + agreed;
+        let Self { hides, dark, samples, moments, .. } = self;
+        let error = self.error + self.squares.sqrt() / AGREED_BY_LEVELS;
         Occlusion { values: moments.into_block(), hides, dark: dark && hides, error, samples }
     }
 
@@ -159,8 +164,11 @@ impl<'a> CorrectionSums<'a> {
         let parts = cut.parts(cell);
         let points = cut.points(self.correction.points, coarse.points);
         let sums: Vec<CellSum> = parts.iter().map(|part| self.sum(part, &blockers, points)).collect();
-        let difference = coarse.difference(&sums) * self.correction.unit;
         let agreed = self.agreed(limit, depth);
+        let mut difference = coarse.difference(&sums) * self.correction.unit;
+        if difference <= agreed {
+            difference = difference.max(self.beside_jumps(&parts, &sums, &blockers));
+        }
         let shadow = sums.iter().map(|sum| sum.shadow).fold(coarse.shadow, HiddenShare::and);
         let is_sure = shadow == HiddenShare::Part || depth + SURE <= MOST_HALVINGS_OF_OUTER;
         let is_told = is_sure && difference <= agreed;
@@ -195,6 +203,29 @@ impl<'a> CorrectionSums<'a> {
     fn agreed(&self, limit: f64, depth: usize) -> f64 {
         let agreed = if depth == MOST_HALVINGS_OF_OUTER { limit } else { AGREED_BY_LEVELS * limit };
         agreed.max(ROUNDING * self.correction.limit.entry)
+    }
+
+    /// What may be hidden or seen of cells between their sides and points that are all hidden, or all seen: where corners
+    /// are not, what is hidden jumps there.
+    fn beside_jumps(&mut self, cells: &[Patch], sums: &[CellSum], blockers: &[usize]) -> f64 {
+        if !self.correction.is_cut {
+            return 0.0;
+        }
+        let pure = cells.iter().zip(sums).filter(|(_, sum)| sum.shadow != HiddenShare::Part);
+        let mut unseen = 0.0;
+        for (cell, sum) in pure {
+            if self.changes_at_corners(cell, sum.shadow, blockers) {
+                unseen += OUTERMOST * self.most(cell);
+            }
+        }
+        unseen
+    }
+
+    fn changes_at_corners(&mut self, cell: &Patch, shadow: HiddenShare, blockers: &[usize]) -> bool {
+        let ends = [NEXT_TO_SIDE, 1.0 - NEXT_TO_SIDE];
+        let mut corners = ends.into_iter().flat_map(|s| ends.map(|t| cell.node(s, t)));
+        let mut row = vec![0.0; self.correction.inner.basis.len()];
+        corners.any(|x| self.hidden(&x, blockers, &mut row) != shadow)
     }
 
     /// Whether the rule on a cell may have missed shadows that matter.
