@@ -55,7 +55,7 @@ impl Thing {
     }
 }
 
-/// What of a ball lies above a height over its centre.
+/// The part of a ball above a height over its centre.
 fn cap(center: DVec3, radius: f64, from: f64) -> Sphere {
     Sphere::new(center, radius, DVec3::Z, [from, radius], FULL_TURN).expect("a part of a ball")
 }
@@ -97,7 +97,7 @@ fn flat_things_hide_the_floor_under_them() {
     }
 }
 
-/// What a wall gets of a ball that sinks into a floor is what it gets of the part above.
+/// A wall sees a ball that sinks into a floor as it sees the part above.
 #[test]
 fn a_ball_that_sinks_into_a_floor_shines_from_above_it() {
     const EPS: f64 = 1e-2;

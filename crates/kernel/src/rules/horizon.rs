@@ -40,7 +40,9 @@
 //! the errors of all open cells sum to ¾ of the tolerance at the most, or the evaluations exceed the budget,
 //! or the cells fill 8 · 10⁶ numbers. A cell is settled earlier whose error is at most ¼ of the tolerance
 //! times its share of the parameters of p. Where W is a closed form, the error of a cell contains what its
-//! rules may miss between their outermost points and its sides (`margin`).
+//! rules may miss between their outermost points and its sides (`margin`); elsewhere 0.02 of what the second
+//! points beyond the start of W carry. Of a single outer function the sums times either coordinate
+//! have to agree too (`carried`).
 //!
 //! Range of use. The patches p and q are apart: the caller halves pairs of gap/extent < ¼
 //! ([`SMALLEST_RATIO`](crate::rules::far::SMALLEST_RATIO)), except where κ is constant or W a closed form,
@@ -117,9 +119,9 @@ const WHOLES: usize = 4;
 /// much: a part of a twentieth of the patch about a corner. An arbitrary choice: with a smaller value light
 /// that no rule sees is missed; with a larger one cells are halved about corners that see next to nothing.
 const CORNER: f64 = 0.05;
-/// Error of a Gauss rule where W begins like the square of the distance, wherever between two of its points that is, over
-/// what the second of the points beyond carries. Measured on powers from 1.5 to 2.5: 0.02 is exceeded three times
-/// as seldom as the difference of two rules, which may vanish by chance.
+/// Error of a Gauss rule where W begins like the square of the distance, wherever between two of its points that
+/// is, over what the second of the points beyond carries. Measured on powers from 1.5 to 2.5: with a larger value
+/// cells are halved too often, without it a quarter of the differences of rules are small by chance.
 const MISSED_AT_HORIZON: f64 = 0.02;
 /// Points along each direction of the outer patch from which it is told whether it lies before a flat or a swept part.
 const LOOKS: usize = 3;

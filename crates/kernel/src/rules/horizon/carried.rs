@@ -1,4 +1,4 @@
-//! What W carries over a part of the outer patch: the moments, and how they are spread.
+//! Moments of W over a part of the outer patch, and how they are spread.
 //!
 //! ```text
 //! M_kl = ∫ L_k W_l dA ,     S_dl = ∫ L_0 W_l z_d dA ,     z_d from −1 to 1 on the part
@@ -39,7 +39,7 @@ impl Carried {
         }
     }
 
-    /// What two parts carry together.
+    /// The sum over two parts.
     pub(super) fn sum([first, second]: [&Self; 2]) -> Self {
         let sum = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a + b).collect();
         let slopes = [0, 1].map(|d| sum(&first.slopes[d], &second.slopes[d]));

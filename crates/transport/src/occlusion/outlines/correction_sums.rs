@@ -205,8 +205,8 @@ impl<'a> CorrectionSums<'a> {
         agreed.max(ROUNDING * self.correction.limit.entry)
     }
 
-    /// What may be hidden or seen of cells between their sides and points that are all hidden, or all seen: where corners
-    /// are not, what is hidden jumps there.
+    /// Bound of what may be hidden or seen between the sides of cells and their points, which are all hidden or all
+    /// seen: where corners are not, the hidden part jumps.
     fn beside_jumps(&mut self, cells: &[Patch], sums: &[CellSum], blockers: &[usize]) -> f64 {
         if !self.correction.is_cut {
             return 0.0;
