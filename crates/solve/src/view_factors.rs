@@ -271,7 +271,7 @@ fn of_facets(
     areas: Vec<f64>,
     names: Vec<String>,
 ) -> ViewFactors {
-    let known = FacetErrors::of(&found);
+    let known = FacetErrors::of(&found, &areas);
     let FacetExchanges { rows, pairs, samples, segments, exact, .. } = found;
     let exchanges = Exchanges::of_facets(rows);
     ViewFactors {

@@ -7,11 +7,13 @@
 //!
 //! Rays spread over the hemisphere land on each of N elements with 1/N of them, which tells a factor of 10⁻⁴ badly;
 //! here each pair has segments of its own, unless it is clear. The first ones decide about many: none is free. Others
-//! get as many as their error needs, for e below the accuracy asked of the largest factor of either row,
+//! get as many as their error needs, for e below a part of the largest factor of either row,
 //!
 //! ```text
 //! e² = ∫∫ κ² · Σ κ_k² (V_k − v)² / (Σ κ_k)² .
 //! ```
+//!
+//! That part is what is asked for, or as little as so many segments allow (`pair_need`).
 //!
 //! Most pairs are clear: nothing can stand between them, which is looked up for two clusters, for a facet and a
 //! cluster, and for the pairs that these leave open. Where n segments of another pair agree, and any part of it may
@@ -27,9 +29,12 @@ mod clusters;
 mod cluster_sight;
 mod segments;
 mod row_pairs;
+mod row_size;
+mod pair_need;
 mod pairs_as_blocks;
 
 use radiosity_elements::Elements;
+use radiosity_elements::sampling::shift::shift;
 use radiosity_kernel::PairCounts;
 use radiosity_visibility::Visibility;
 use radiosity_work::interruption::check_interrupt;
@@ -41,7 +46,9 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use cluster_sight::{ClusterSight, FacetSight};
 use clusters::Clusters;
 use facet::Facet;
+use pair_need::{PairNeed, affordable};
 pub use row_pairs::{MixedPair, RowPairs};
+use row_size::RowSize;
 use segments::{Segments, TOGETHER};
 
 /// Segments by which all pairs would be decided about at [`USUAL_EPS`] if none was clear, and of one pair at least and
@@ -56,24 +63,27 @@ const USUAL_EPS: f64 = 1e-3;
 /// Part of so many segments that tells as much as they do. Chosen: kernels of most pairs differ by less.
 const TELLING: f64 = 0.75;
 
-/// Fewest segments of a pair of which a part is hidden, and most of them at [`USUAL_EPS`]. Chosen.
-const FEWEST: u64 = 16;
-const MOST: f64 = 1024.0;
+/// Most segments of a pair of which hardly any carry something.
+const MOST_IDLE: u64 = 512;
 
-/// Part of an exchange that segments that agree may miss, over the error asked for. Chosen: what is missed is then no
-/// more than what rays leave in pairs of which a part is hidden.
-const MISSED: f64 = 2.0;
+/// Segments of further looks at [`USUAL_EPS`], for each facet and in all at the most. Chosen: a furnished room of six
+/// thousand polygons takes a minute of one thread.
+const FURTHER_OF_EACH: f64 = 2.5e4;
+const FURTHER_OF_ALL: f64 = 1.5e8;
 
-/// Share of a row from which a pair has the most segments where all agree, and smaller ones in proportion. Chosen: a
-/// row has ten times the most of a pair.
-const LARGE: f64 = 0.1;
+/// Segments that a pair would have if all agree from which it is looked up by itself whether it is clear. Chosen: a
+/// look takes as long as so many.
+const ALONE: u64 = 64;
 
-/// Seconds of two threads that a pair takes, those near a facet, and a segment; and segments of all pairs for each that
-/// decides about one. Measured on dented balls.
+/// Seconds of two threads that a pair takes, those near a facet, and a segment; and further segments of a pair between
+/// which something may stand. Measured on balls and a furnished room.
 const PAIR: f64 = 4e-7;
 const NEAR: f64 = 2.5e-4;
 const SEGMENT: f64 = 2.5e-7;
-const SENT: f64 = 0.05;
+const AGAIN: f64 = 50.0;
+
+/// Pairs by which the time is told.
+const LOOKED_AT: u64 = 2_000;
 
 /// Relative error of points at the least distance at which they are taken, at the most. Measured: 1.1e-3 of four
 /// thousand pairs of triangles.
@@ -88,8 +98,8 @@ pub struct FacetTransport<'a> {
     clusters: Clusters,
     /// Segments that decide about a pair where all agree.
     first: u64,
-    /// Most segments of a pair of which a part is hidden.
-    most: u64,
+    /// Segments of further looks at all pairs.
+    further: f64,
     /// Error that is asked for, over the largest factor of a row.
     eps: f64,
     work: &'a Work<'a>,
@@ -102,6 +112,8 @@ pub struct FacetExchanges {
     pub rows: Vec<RowPairs>,
     /// Segments that decided about a pair where all agreed.
     pub first: u64,
+    /// Largest unhidden exchange, over the smaller area of both, of pairs about which these decided alone.
+    pub decided: f64,
     /// Numbers of pairs by how they were treated.
     pub pairs: PairCounts,
     /// Evaluations of the kernel, or of logarithms in contour integrals.
@@ -119,13 +131,6 @@ struct Counts {
     samples: u64,
     segments: u64,
     exact: usize,
-}
-
-/// The row of a facet as the first segments find it (length²).
-#[derive(Clone, Copy, Debug, Default)]
-struct RowSize {
-    largest: f64,
-    sum: f64,
 }
 
 /// Findings of the first segments of a row.
@@ -168,7 +173,7 @@ impl<'a> FacetTransport<'a> {
             clusters: Clusters::of(&facets),
             facets,
             first,
-            most: (finer * MOST) as u64,
+            further: finer * (FURTHER_OF_EACH * list.len() as f64).min(FURTHER_OF_ALL),
             eps,
             work,
         })
@@ -177,7 +182,22 @@ impl<'a> FacetTransport<'a> {
     /// About the seconds that two threads take.
     pub fn seconds(&self) -> f64 {
         let facets = self.facets.len() as f64;
-        NEAR * facets + (PAIR + SEGMENT * SENT * self.first as f64) * 0.5 * facets.powi(2)
+        let pairs = 0.5 * facets.powi(2);
+        let open = pairs * self.part_open();
+        let segments = open * self.first as f64 + (AGAIN * open).min(self.further);
+        NEAR * facets + PAIR * pairs + SEGMENT * segments
+    }
+
+    /// The part of all pairs that see each other unless something hides them, and between which something may stand, by
+    /// some of them.
+    fn part_open(&self) -> f64 {
+        let count = self.facets.len() as f64;
+        let is_open = |number: &u64| {
+            check_interrupt();
+            let [one, other] = shift::<2>(*number).map(|place| &self.facets[(place * count) as usize]);
+            one.sight_of(other).is_some() && !self.visibility.is_clear_of_all([one.end(), other.end()])
+        };
+        (0..LOOKED_AT).filter(is_open).count() as f64 / LOOKED_AT as f64
     }
 
     /// The exchanges of the `wanted` pairs.
@@ -201,9 +221,10 @@ impl<'a> FacetTransport<'a> {
         let looks = self.work.ranks.map(PartName::Facets, &lengths.collect::<Vec<f64>>(), first);
         let mut looks = self.by_rows(looks);
         let sizes = self.row_sizes(&looks);
+        let eps = self.affordable(&looks, &sizes);
         let again: Vec<f64> = looks.iter().map(|look| 1.0 + look.whole.len() as f64).collect();
         let second = |row: usize| {
-            let found = self.second_look(row, &looks[row], &sizes);
+            let found = self.second_look(row, &looks[row], &sizes, eps);
             tell();
             found
         };
@@ -219,6 +240,7 @@ impl<'a> FacetTransport<'a> {
         FacetExchanges {
             rows: looks.into_iter().map(|look| look.pairs).collect(),
             first: self.first,
+            decided: pair_need::largest(self.first, self.eps),
             pairs,
             samples,
             segments,
@@ -266,13 +288,16 @@ impl<'a> FacetTransport<'a> {
             }
             let mut segments = self.segments(row, column);
             segments.send(1);
-            let is_clear = !segments.are_none_free() && passage.is_clear([own, other], self.visibility);
+            let part = whole / own.area.min(other.area);
+            let is_asked = !segments.are_none_free()
+                && (!passage.is_unknown() || part >= pair_need::largest(ALONE, self.eps));
+            let is_clear = is_asked && passage.is_clear([own, other], self.visibility);
             if !is_clear {
                 segments.send(self.first);
             }
             look.counts.segments += segments.sent();
-            let matters = self.closer(whole / own.area.min(other.area)) > self.first;
-            let is_told = !matters && segments.carrying() >= TELLING * FEWEST_FIRST;
+            let is_told = part <= pair_need::largest(self.first, self.eps)
+                && segments.carrying() >= TELLING * FEWEST_FIRST;
             match is_told && segments.are_none_free() {
                 true => look.counts.pairs.skipped_hidden += 1,
                 false if is_clear => look.push(column, whole, sight.is_far),
@@ -296,54 +321,49 @@ impl<'a> FacetTransport<'a> {
         sizes
     }
 
-    /// Segments of a pair of this share of a row, where all agree.
-    fn closer(&self, share: f64) -> u64 {
-        let most = (self.most as f64).max(self.eps.recip());
-        (most * (share / LARGE).min(1.0)) as u64
+    /// The error of open pairs over the largest of their rows that the segments of further looks afford.
+    fn affordable(&self, looks: &[FirstLook], sizes: &[RowSize]) -> f64 {
+        let of_row = |(row, look): (usize, &'_ FirstLook)| {
+            let open = look.pairs.opened().zip(&look.whole);
+            let need = |((column, exchange), whole): ((usize, f64), &f64)| {
+                (PairNeed::of(*whole, [sizes[row], sizes[column]]), (exchange / whole) as f32)
+            };
+            open.map(need).collect::<Vec<_>>()
+        };
+        let pairs: Vec<_> = looks.iter().enumerate().flat_map(of_row).collect();
+        affordable(&pairs, self.eps, self.first, self.further)
     }
 
-    /// As many segments as the open pairs of a row need.
-    fn second_look(&self, row: usize, look: &FirstLook, sizes: &[RowSize]) -> SecondLook {
+    /// As many segments as the open pairs of a row need for this error over the largest.
+    fn second_look(&self, row: usize, look: &FirstLook, sizes: &[RowSize], eps: f64) -> SecondLook {
         let mut found = SecondLook::default();
-        for (column, whole) in look.pairs.open().zip(&look.whole) {
+        for ((column, _), whole) in look.pairs.opened().zip(&look.whole) {
             check_interrupt();
-            let ends = [sizes[row], sizes[column]];
-            let share = ends.map(|size| whole / size.sum.max(*whole)).into_iter().fold(0.0, f64::max);
-            let allowed = self.eps * ends[0].largest.min(ends[1].largest);
-            let (pair, segments) = self.look_again([row, column], *whole, self.closer(share), allowed);
-            found.segments += segments;
+            let need = PairNeed::of(*whole, [sizes[row], sizes[column]]);
+            let mut segments = self.segments(row, column);
+            self.look_again(&mut segments, need, eps);
+            let (part, variance) = (segments.part() as f32, segments.variance() as f32);
+            let pair = MixedPair { whole: *whole, part, variance };
+            found.segments += segments.sent();
             found.partly_hidden += usize::from(pair.is_mixed());
             found.pairs.push(pair);
         }
         found
     }
 
-    /// A pair by so many segments at the least where all agree, or as many as this error needs (length²); and their
-    /// number.
-    fn look_again(
-        &self,
-        [row, column]: [usize; 2],
-        whole: f64,
-        closer: u64,
-        allowed: f64,
-    ) -> (MixedPair, u64) {
-        let most = self.most;
-        let asked = whole / allowed;
-        let fewest = FEWEST.min(asked as u64).max(self.first);
-        let mut segments = self.segments(row, column);
+    /// Sends as many segments as a pair needs for this error over the largest of its rows.
+    fn look_again(&self, segments: &mut Segments<'_>, need: PairNeed, eps: f64) {
+        let fewest = need.fewest(eps, self.first);
         segments.send(fewest);
-        while segments.carrying() < TELLING * fewest as f64 && segments.sent() < most {
-            segments.send((2 * segments.sent()).min(most));
+        while segments.carrying() < TELLING * fewest as f64 && segments.sent() < MOST_IDLE {
+            segments.send(2 * segments.sent());
         }
         if segments.agree() {
-            let missed = (asked / MISSED).min(most as f64) as u64;
-            segments.send(closer.max(missed));
+            segments.send(need.agreeing(eps));
         }
         if !segments.agree() {
-            segments.send(segments.needed(asked.recip()).min(most as f64) as u64);
+            segments.send((segments.needed(need.error(eps)) as u64).min(pair_need::most()));
         }
-        let (part, variance) = (segments.part() as f32, segments.variance() as f32);
-        (MixedPair { whole, part, variance }, segments.sent())
     }
 
     fn segments(&self, row: usize, column: usize) -> Segments<'_> {
@@ -354,13 +374,6 @@ impl<'a> FacetTransport<'a> {
     /// Relative error of exchanges between what nothing hides, at the most.
     pub fn error_of_points() -> f64 {
         BY_POINTS
-    }
-}
-
-impl RowSize {
-    fn take(&mut self, exchange: f64) {
-        self.largest = self.largest.max(exchange);
-        self.sum += exchange;
     }
 }
 

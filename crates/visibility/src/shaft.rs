@@ -7,7 +7,8 @@
 //!
 //! Of surfaces beside each other it is looked up once for all what reaches into the shafts between them and others
 //! beside each other, and of these what stands before each: shafts between hulls of several hold those between each
-//! (shaft culling: E. Haines, J. Wallace, *Photorealistic Rendering in Computer Graphics*, 1994, 122-138).
+//! (shaft culling: E. Haines, J. Wallace, *Photorealistic Rendering in Computer Graphics*, 1994, 122-138). Where much
+//! reaches into these, as in furnished rooms, that takes longer than it spares, and nothing is looked up for groups.
 
 use radiosity_geom::{Aabb, COINCIDENT, DVec3, Plane, separated, separates, separating};
 use smallvec::SmallVec;
@@ -15,6 +16,11 @@ use smallvec::SmallVec;
 use super::Visibility;
 use crate::bounding_ball::Ball;
 use crate::obstacle::Obstacle;
+
+/// Most surfaces that may stand between two groups whose members are looked at, and most of those that boxes leave.
+/// Chosen: looking takes as long as some segments between all members.
+const FEW: usize = 64;
+const FEW_BY_BOXES: usize = 512;
 
 /// A flat surface at an end of a shaft.
 #[derive(Clone, Copy, Debug)]
@@ -189,8 +195,9 @@ impl Visibility {
         Normals(vec![[DVec3::ZERO; 2]; self.obstacles.len()])
     }
 
-    /// The surfaces that may stand between those of two groups, as far as these normals for surfaces near either tell.
-    pub fn between_groups(&self, [a, b]: [&Neighbours; 2], normals: &[Normals; 2]) -> BetweenGroups {
+    /// The surfaces that may stand between those of two groups, as far as these normals for surfaces near either tell;
+    /// None where these are many.
+    pub fn between_groups(&self, [a, b]: [&Neighbours; 2], normals: &[Normals; 2]) -> Option<BetweenGroups> {
         let room = a.room.min(b.room);
         let may_hide = |surface: usize| {
             let Obstacle { hull, ball, .. } = &self.obstacles[surface];
@@ -209,7 +216,14 @@ impl Visibility {
             }
             Some(Standing { surface, plane, sides, nearer })
         };
-        BetweenGroups(self.standing_in(Capsule::around(&a.ball, &b.ball)).filter_map(may_hide).collect())
+        let mut found = Vec::new();
+        for (count, surface) in self.standing_in(Capsule::around(&a.ball, &b.ball)).enumerate() {
+            found.extend(may_hide(surface));
+            if count >= FEW_BY_BOXES || found.len() > FEW {
+                return None;
+            }
+        }
+        Some(BetweenGroups(found))
     }
 
     /// Places, among the surfaces between two `groups`, of those that may stand between one member of the group
@@ -251,18 +265,30 @@ impl Visibility {
 
     /// Whether nothing can stand between two flat surfaces, of what may stand between one and neighbours of the other
     /// both ways.
-    pub fn is_clear(&self, [a, b]: [FlatEnd<'_>; 2], between: &BetweenGroups, places: [&Places; 2]) -> bool {
-        let room = a.room().min(b.room());
+    pub fn is_clear(&self, ends: [FlatEnd<'_>; 2], between: &BetweenGroups, places: [&Places; 2]) -> bool {
         let may_hide = |place: usize| {
             let Standing { surface, plane, .. } = between.0[place];
-            let Obstacle { hull, ball, .. } = &self.obstacles[surface];
-            let sides = |end: FlatEnd<'_>| Sides::of(end.hull, plane, end.room());
-            !sides(a).are_shared(sides(b))
-                && ![a, b].iter().any(|end| end.has_behind(hull) || self.is_own(surface, *end))
-                && !ball.misses_between(&a.ball, &b.ball)
-                && !separated(a.hull, b.hull, hull, room)
+            self.may_hide(surface, plane, ends)
         };
         !places[0].shared(places[1]).any(may_hide)
+    }
+
+    /// Whether nothing can stand between two flat surfaces, of all surfaces.
+    pub fn is_clear_of_all(&self, ends: [FlatEnd<'_>; 2]) -> bool {
+        let [a, b] = ends.map(|end| end.ball);
+        let mut standing = self.standing_in(Capsule::around(&a, &b));
+        !standing.any(|surface| self.may_hide(surface, self.plane_of(surface), ends))
+    }
+
+    /// Whether a surface in this plane, if it is flat, may stand between two others.
+    fn may_hide(&self, surface: usize, plane: Option<Plane>, [a, b]: [FlatEnd<'_>; 2]) -> bool {
+        let room = a.room().min(b.room());
+        let Obstacle { hull, ball, .. } = &self.obstacles[surface];
+        let sides = |end: FlatEnd<'_>| Sides::of(end.hull, plane, end.room());
+        !ball.misses_between(&a.ball, &b.ball)
+            && !sides(a).are_shared(sides(b))
+            && ![a, b].iter().any(|end| end.has_behind(hull) || self.is_own(surface, *end))
+            && !separated(a.hull, b.hull, hull, room)
     }
 
     /// The surfaces that can stand between others and whose boxes reach into a capsule.
@@ -303,19 +329,27 @@ mod tests {
         visibility.standing().all(keeps_out)
     }
 
-    /// Triangles in a scene, and each as an end of a shaft.
-    fn clear_pairs(triangles: &[[DVec3; 3]]) -> (Visibility, Vec<[usize; 2]>) {
+    /// The visibility between triangles.
+    fn of_triangles(triangles: &[[DVec3; 3]]) -> Visibility {
         let text = |[a, b, c]: &[DVec3; 3]| {
             format!("[[surfaces]]\ntriangle = {{ vertices = [{a:?}, {b:?}, {c:?}] }}\n").replace("DVec3", "")
         };
         let text: String = triangles.iter().map(text).collect::<String>().replace('(', "[").replace(')', "]");
         let scene = radiosity_language::read(&Source::new("triangles", &text)).expect("triangles");
-        let visibility = Visibility::new(&scene, Shadows::Auto, 1e-3);
-        let end = |surface: usize| {
-            let hull = &triangles[surface];
-            let normal = (hull[1] - hull[0]).cross(hull[2] - hull[0]).normalize();
-            FlatEnd { surface, plane: Plane { point: hull[0], normal }, hull, ball: Ball::around(hull) }
-        };
+        Visibility::new(&scene, Shadows::Auto, 1e-3)
+    }
+
+    /// One of some triangles as an end of a shaft.
+    fn end_of(triangles: &[[DVec3; 3]], surface: usize) -> FlatEnd<'_> {
+        let hull = &triangles[surface];
+        let normal = (hull[1] - hull[0]).cross(hull[2] - hull[0]).normalize();
+        FlatEnd { surface, plane: Plane { point: hull[0], normal }, hull, ball: Ball::around(hull) }
+    }
+
+    /// Triangles in a scene, and pairs of them between which nothing can stand.
+    fn clear_pairs(triangles: &[[DVec3; 3]]) -> (Visibility, Vec<[usize; 2]>) {
+        let visibility = of_triangles(triangles);
+        let end = |surface: usize| end_of(triangles, surface);
         let pairs = (0..triangles.len()).flat_map(|i| (0..i).map(move |j| [i, j]));
         let groups: Vec<Vec<usize>> =
             (0..triangles.len()).collect::<Vec<_>>().chunks(3).map(<[_]>::to_vec).collect();
@@ -327,7 +361,7 @@ mod tests {
         let is_clear = |[i, j]: &[usize; 2]| {
             let ends = [end(*i), end(*j)];
             let mut is_clear_by = |groups: [&Neighbours; 2]| {
-                let between = visibility.between_groups(groups, &normals);
+                let between = visibility.between_groups(groups, &normals).expect("they are few");
                 let places =
                     [0, 1].map(|own| visibility.between(ends[own], own, groups, &between, &mut normals[own]));
                 visibility.is_clear(ends, &between, places.each_ref())
@@ -336,6 +370,7 @@ mod tests {
             let one_by_one = [i, j].map(|own| group(&vec![*own]));
             assert_eq!(is_clear, is_clear_by(one_by_one.each_ref()));
             assert_eq!(is_clear, is_clear_of_all(&visibility, ends));
+            assert_eq!(is_clear, visibility.is_clear_of_all(ends));
             is_clear
         };
         let clear = pairs.filter(is_clear).collect();
@@ -374,6 +409,30 @@ mod tests {
                     prop_assert!(!is_seen || visibility.is_free(Some(pair[0]), x, y), "{:?}", pair);
                 }
             }
+        }
+    }
+
+    /// Between two triangles that face each other many small ones stand, or few.
+    #[test]
+    fn groups_with_much_between_are_not_looked_at() {
+        let corner = DVec3::new;
+        let ends = [
+            [corner(0.0, 0.0, 0.0), corner(1.0, 0.0, 0.0), corner(0.0, 1.0, 0.0)],
+            [corner(0.0, 0.0, 1.0), corner(0.0, 1.0, 1.0), corner(1.0, 0.0, 1.0)],
+        ];
+        let small = |k: usize| {
+            let foot = corner(0.2, 0.2, 0.3 + 0.005 * k as f64);
+            [foot, foot + corner(0.1, 0.0, 0.0), foot + corner(0.0, 0.1, 0.0)]
+        };
+        for count in [FEW, FEW + 1] {
+            let all: Vec<[DVec3; 3]> = ends.into_iter().chain((0..count).map(small)).collect();
+            let visibility = of_triangles(&all);
+            let [one, other] = [0, 1].map(|surface| end_of(&all, surface));
+            let groups = [one, other].map(|end| Neighbours::of(&[end]));
+            let normals = [visibility.no_normals(), visibility.no_normals()];
+            let between = visibility.between_groups(groups.each_ref(), &normals);
+            assert_eq!(between.map(|between| between.0.len()), (count == FEW).then_some(FEW));
+            assert!(!visibility.is_clear_of_all([one, other]));
         }
     }
 

@@ -7,8 +7,8 @@
 //! ```
 //!
 //! about the largest of m normal errors as large as the largest ones. Pairs of which a part is hidden have their own
-//! errors, and stand for those that the first segments took to be hidden wholly: half of that by the row of these, half
-//! by all rows, as a row may have found none.
+//! errors, and such as the first segments alone decide about stand for those that these took to be hidden wholly: half
+//! of that by the row of these, half by all rows, as a row may have found none.
 //!
 //! Pairs between which something can stand, of exchange x, and of which n segments agree, may be hidden in part
 //! nevertheless. With ρ such pairs that show it for each of which segments agree, and all parts as likely, that
@@ -82,10 +82,10 @@ impl Powers {
         self.fourth += factor * other.fourth;
     }
 
-    /// Powers of the pairs that one of a known part stands for, of which all of the `first` segments were stopped.
-    fn missed(pair: &MixedPair, first: u64) -> Self {
+    /// Powers of so many pairs that one of a known part stands for.
+    fn missed(pair: &MixedPair, count: f64) -> Self {
         let mut missed = Self::default();
-        missed.add(Self::of(f64::from(pair.part) * pair.whole), pair.missed(first));
+        missed.add(Self::of(f64::from(pair.part) * pair.whole), count);
         missed
     }
 
@@ -106,12 +106,12 @@ impl Powers {
 }
 
 impl RowErrors {
-    /// Takes a pair that was looked at again, about which so many segments decided first.
-    fn take(&mut self, pair: &MixedPair, first: u64) {
+    /// Takes a pair that was looked at again, and stands for so many that were not.
+    fn take(&mut self, pair: &MixedPair, missed: f64) {
         if pair.is_mixed() {
             self.mixed += 1.0;
             self.known.add(Powers::known(pair), 1.0);
-            self.missed.add(Powers::missed(pair, first), 1.0);
+            self.missed.add(Powers::missed(pair, missed), 1.0);
             return;
         }
         // s/x = 1/(n + 2).
@@ -152,13 +152,14 @@ impl RowErrors {
 }
 
 impl FacetErrors {
-    /// The errors of these exchanges.
-    pub(super) fn of(exchanges: &FacetExchanges) -> Self {
-        let FacetExchanges { rows, first, .. } = exchanges;
+    /// The errors of these exchanges between surfaces of these areas.
+    pub(super) fn of(exchanges: &FacetExchanges, areas: &[f64]) -> Self {
+        let rows = &exchanges.rows;
         let mut found = vec![RowErrors::default(); rows.len()];
         for (row, pairs) in rows.iter().enumerate() {
             for (column, pair) in pairs.mixed() {
-                [row, column].iter().for_each(|end| found[*end].take(pair, *first));
+                let missed = exchanges.stands_for(pair, areas[row].min(areas[column]));
+                [row, column].iter().for_each(|end| found[*end].take(pair, missed));
             }
             for (column, exchange) in pairs.exchanges.iter() {
                 [row, column].iter().for_each(|end| found[*end].sizes.add(Powers::of(exchange), 1.0));

@@ -21,7 +21,15 @@ pub(super) struct ClusterSight<'a> {
 
 /// Surfaces that may stand between two clusters.
 #[derive(Debug)]
-struct PastCluster {
+enum PastCluster {
+    /// Many, of which nothing more is known.
+    Many,
+    Few(FewBetween),
+}
+
+/// The few surfaces that may stand between two clusters.
+#[derive(Debug)]
+struct FewBetween {
     between: BetweenGroups,
     /// Some of these: what may stand between the first one and each facet of the other.
     others: Vec<Places>,
@@ -36,11 +44,13 @@ pub(super) struct FacetSight<'a, 'b> {
     places: Vec<Option<Places>>,
 }
 
-/// Whether a pair is clear, as far as clusters tell.
+/// The passage of a pair, as far as clusters tell.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Passage<'a> {
-    between: &'a BetweenGroups,
-    places: [&'a Places; 2],
+pub(super) enum Passage<'a> {
+    /// Nothing.
+    Unknown,
+    /// These may stand there.
+    Past { between: &'a BetweenGroups, places: [&'a Places; 2] },
 }
 
 impl<'a> ClusterSight<'a> {
@@ -69,28 +79,38 @@ impl FacetSight<'_, '_> {
         let ClusterSight { facets, clusters, visibility, own, past, normals } = &mut *self.cluster;
         let (number, place) = clusters.of_facet(other);
         let groups = [*own, number].map(|number| &clusters.list()[number].neighbours);
-        let PastCluster { between, others } = past[number].get_or_insert_with(|| {
-            let between = visibility.between_groups(groups, normals);
+        let past = past[number].get_or_insert_with(|| {
+            let Some(between) = visibility.between_groups(groups, normals) else { return PastCluster::Many };
             let places = |member: &u32| {
                 visibility.between(facets[*member as usize].end(), 1, groups, &between, &mut normals[1])
             };
             let others = clusters.list()[number].members.iter().map(places).collect();
-            PastCluster { between, others }
+            PastCluster::Few(FewBetween { between, others })
         });
+        let PastCluster::Few(FewBetween { between, others }) = past else { return Passage::Unknown };
         let places = self.places[number]
             .get_or_insert_with(|| visibility.between(self.own.end(), 0, groups, between, &mut normals[0]));
-        Passage { between, places: [places, &others[place]] }
+        Passage::Past { between, places: [places, &others[place]] }
     }
 }
 
 impl Passage<'_> {
     /// Whether nothing may stand there.
     pub(super) fn is_open(&self) -> bool {
-        self.places[0].are_apart(self.places[1])
+        matches!(self, Self::Past { places: [one, other], .. } if one.are_apart(other))
+    }
+
+    /// Whether it takes long to tell if it is clear.
+    pub(super) fn is_unknown(&self) -> bool {
+        matches!(self, Self::Unknown)
     }
 
     /// Whether nothing can stand between these two.
     pub(super) fn is_clear(&self, [one, other]: [&Facet; 2], visibility: &Visibility) -> bool {
-        visibility.is_clear([one.end(), other.end()], self.between, self.places)
+        let ends = [one.end(), other.end()];
+        match self {
+            Self::Unknown => visibility.is_clear_of_all(ends),
+            Self::Past { between, places } => visibility.is_clear(ends, between, *places),
+        }
     }
 }

@@ -26,7 +26,10 @@ impl FacetExchanges {
             let mut mixed = pairs.mixed().peekable();
             for (column, exchange) in pairs.exchanges.iter() {
                 let known = mixed.next_if(|(other, _)| *other == column).map(|(_, pair)| *pair);
-                let of_pair = known.map_or(0.0, |pair| pair.deviation(self.first, ratio));
+                let of_pair = known.map_or(0.0, |pair| {
+                    let area = list[row].area.min(list[column].area);
+                    pair.deviation(self.stands_for(&pair, area), ratio)
+                });
                 let deviation = of_pair.hypot(BY_POINTS * exchange);
                 [row, column].iter().for_each(|end| sums[*end] += deviation * deviation);
                 let moved = match part {
@@ -45,6 +48,12 @@ impl FacetExchanges {
         blocks
     }
 
+    /// Pairs of the kind of one between facets of which this is the smaller area, for each that shows it, of which all
+    /// first segments were stopped and no more were sent.
+    pub fn stands_for(&self, pair: &MixedPair, area: f64) -> f64 {
+        if pair.whole <= self.decided * area { pair.missed(self.first) } else { 0.0 }
+    }
+
     /// Pairs of which a part is seen to be hidden for each that was looked at again and whose segments agree.
     fn mixed_ratio(&self) -> f64 {
         let pairs = || self.rows.iter().flat_map(|row| row.mixed());
@@ -60,18 +69,18 @@ impl MixedPair {
     }
 
     /// Pairs of its kind for each that shows it, of which so many first segments were all stopped.
-    pub fn missed(&self, first: u64) -> f64 {
+    fn missed(&self, first: u64) -> f64 {
         let [seen, hidden] = [self.part, 1.0 - self.part].map(|part| f64::from(part).powi(first as i32));
         hidden / (1.0 - hidden - seen).max(f64::MIN_POSITIVE)
     }
 
-    /// Deviation of its exchange (length²), with that of the pairs that it stands for; where its segments
+    /// Deviation of its exchange (length²), with that of so many pairs that it stands for; where its segments
     /// agree, the root of the mean square, if so many pairs are hidden in part for each of which segments
     /// agree.
-    fn deviation(&self, first: u64, ratio: f64) -> f64 {
+    fn deviation(&self, missed: f64, ratio: f64) -> f64 {
         let (part, variance) = (f64::from(self.part), f64::from(self.variance));
         if self.is_mixed() {
-            return self.whole * (variance + part * part * self.missed(first)).sqrt();
+            return self.whole * (variance + part * part * missed).sqrt();
         }
         let scale = variance.sqrt();
         self.whole * scale * (2.0 * ratio * scale / (1.0 - scale)).min(1.0).sqrt()

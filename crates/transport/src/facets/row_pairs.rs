@@ -44,9 +44,9 @@ impl RowPairs {
         self.mixed.shrink_to_fit();
     }
 
-    /// Columns of the pairs that are to be looked at again.
-    pub(super) fn open(&self) -> impl Iterator<Item = usize> {
-        self.mixed.iter().filter_map(|place| Some(self.exchanges.at(*place as usize)?.0))
+    /// Columns and exchanges of the pairs that are to be looked at again.
+    pub(super) fn opened(&self) -> impl Iterator<Item = (usize, f64)> {
+        self.mixed.iter().filter_map(|place| self.exchanges.at(*place as usize))
     }
 
     /// Takes what was found of these.
@@ -59,6 +59,6 @@ impl RowPairs {
 
     /// Columns of the pairs that were looked at again, and what is known of these.
     pub fn mixed(&self) -> impl Iterator<Item = (usize, &MixedPair)> {
-        self.open().zip(&self.pairs)
+        self.opened().map(|(column, _)| column).zip(&self.pairs)
     }
 }
