@@ -125,15 +125,13 @@ impl Visibility {
         let (bodies, screens) = bodies(&obstacles, &cloud);
         let places = places(&obstacles);
         let frusta = frusta(&obstacles, &boxes, &tree);
-        let standing = standing(&obstacles, &cloud, &boxes);
-        let standing_boxes: Vec<Aabb> = standing.iter().map(|index| boxes[*index]).collect();
         let unseen = Self {
             obstacles,
             boxes,
             tree,
             rays,
-            standing,
-            standing_tree: Bvh::build(&standing_boxes),
+            standing: Vec::new(),
+            standing_tree: Bvh::build(&[]),
             bodies,
             frusta,
             screens,
@@ -150,11 +148,14 @@ impl Visibility {
     pub fn found_by(self, shadows: Shadows, eps: f64) -> Self {
         let eps = if shadows == Shadows::Off { 0.0 } else { eps };
         let Self { obstacles, boxes, tree, rays, .. } = &self;
+        let standing = standing(obstacles, &cloud_of(obstacles), boxes, eps);
+        let standing_boxes: Vec<Aabb> = standing.iter().map(|index| boxes[*index]).collect();
+        let standing_tree = Bvh::build(&standing_boxes);
         let shells = match shadows {
             Shadows::Off => Shells::default(),
             _ => Shells::of(obstacles, boxes, tree, |own| rays.other_side(own)),
         };
-        Self { shells, shadows, eps, ..self }
+        Self { standing, standing_tree, shells, shadows, eps, ..self }
     }
 
     /// Candidate blockers between the hulls of the points `a` and `b`, ascending: without the two `surfaces`,
@@ -509,9 +510,10 @@ impl Visibility {
 
 /// The surfaces that can stand between two others, ascending.
 ///
-/// A planar surface with the whole scene on one side of its plane, such as a wall of a convex room, cannot.
-/// Nor can a curved wall on a convex solid within which the whole scene lies, such as that of a can.
-fn standing(obstacles: &[Obstacle], cloud: &Cloud, boxes: &[Aabb]) -> Vec<usize> {
+/// A planar surface with the whole scene on one side of its plane, such as a wall of a convex room, cannot. Nor can a
+/// curved wall on a convex solid within which the whole scene lies, such as that of a can, nor a slightly bent wall
+/// behind which nothing lies, with a depth over its diagonal below `eps`, the accuracy of the shadows.
+fn standing(obstacles: &[Obstacle], cloud: &Cloud, boxes: &[Aabb], eps: f64) -> Vec<usize> {
     let walls_in = |index: &usize| {
         let Obstacle { shape, hull, .. } = &obstacles[*index];
         let Jet { position, normal, .. } = shape.jet(0.0, 0.0);
@@ -521,12 +523,29 @@ fn standing(obstacles: &[Obstacle], cloud: &Cloud, boxes: &[Aabb]) -> Vec<usize>
         let range = |(low, high): (f64, f64), h: f64| (low.min(h), high.max(h));
         let heights = hull.iter().map(|x| tangent.height(*x));
         let (low, high) = heights.fold((f64::MAX, f64::MIN), range);
-        high - low <= touching(size, 0.0)
+        let depth = high - low;
+        let is_planar = depth <= touching(size, 0.0);
+        (is_planar || depth <= eps * size)
             && (cloud.lies_below(-low, &reversed, size) || cloud.lies_below(high, &tangent, size))
+            && (is_planar || has_nothing_beside(*index, depth * normal, obstacles))
     };
     (0..obstacles.len())
         .filter(|index| !walls_in(index) && !obstacles[*index].encloses_all(obstacles))
         .collect()
+}
+
+/// Part of a slightly bent wall, about its middle, beside which nothing lies: other walls meet it at its border.
+const AMID: f64 = 0.99;
+
+/// Whether no other surface comes as near as `depth`, along the normal, to what is amid a slightly bent surface: a flat
+/// cone on a floor is no wall.
+fn has_nothing_beside(own: usize, depth: DVec3, obstacles: &[Obstacle]) -> bool {
+    let Obstacle { hull, ball, .. } = &obstacles[own];
+    let amid = |x: &DVec3| ball.center() + AMID * (*x - ball.center());
+    let slab: Vec<DVec3> = hull.iter().map(amid).flat_map(|x| [x - depth, x + depth]).collect();
+    let is_apart =
+        |(index, other): (usize, &Obstacle)| index == own || separated(&slab, &slab, &other.hull, 0.0);
+    obstacles.iter().enumerate().all(is_apart)
 }
 
 /// The points whose convex hull holds all obstacles.

@@ -60,6 +60,9 @@ pub(super) struct Correction<'a> {
     /// Relative accuracy of the inner integrals: 0.3 of the block's, most of which is left to the outer ones.
     pub(super) accuracy: f64,
     pub(super) limit: Limit,
+    /// Whether kinks are curved, as those past cans, cones and disks, and past balls between flat elements: no cut
+    /// follows them.
+    pub(super) is_round: bool,
     /// Whether a blocker may pass through a curved outer element: what is hidden jumps where it does.
     pub(super) is_cut: bool,
     /// Whether one of the blockers is a can, a cone or a disk: then the shadow of each counts by itself, in closed
@@ -112,6 +115,8 @@ impl<'a> Correction<'a> {
             accuracy,
             limit,
             has_frusta,
+            is_round: has_frusta
+                || pair.iter().all(|element| element.plane.is_some()) && !visibility.are_planar(blockers),
             is_cut: is_cut(outer, blockers, visibility),
         }
     }

@@ -59,7 +59,8 @@ pub(super) struct Occlusion {
     pub hides: bool,
     /// Whether everything is hidden from every point of the rule.
     pub dark: bool,
-    /// Estimate of the largest error, from cells left at the smallest size, and from those on which two levels agree.
+    /// Estimate of the largest error, from cells left at the smallest size, and from those on which two levels agree
+    /// where kinks are curved or a blocker passes through the outer element.
     pub error: f64,
     /// Terms of the rules.
     pub samples: u64,
@@ -138,8 +139,10 @@ impl<'a> CorrectionSums<'a> {
     }
 
     pub(super) fn finish(self) -> Occlusion {
-        let Self { hides, dark, samples, moments, .. } = self;
-        let error = self.error + self.squares.sqrt() / AGREED_BY_LEVELS;
+        let Self { correction, hides, dark, samples, moments, .. } = self;
+        let is_told = correction.is_round || correction.is_cut;
+        let agreed = if is_told { self.squares.sqrt() / AGREED_BY_LEVELS } else { 0.0 };
+        let error = self.error + agreed;
         Occlusion { values: moments.into_block(), hides, dark: dark && hides, error, samples }
     }
 
