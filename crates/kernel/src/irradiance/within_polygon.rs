@@ -309,8 +309,8 @@ mod tests {
     }
 
     /// Irradiance at the origin from what is hidden of a rectangle by a solid between such `rims`: by strips of it,
-    /// each up to where it is hidden. Thin shadows are found by those of the rims, and wide ones by looks along a
-    /// strip.
+    /// each hidden from one place to another. Thin shadows are found by those of the rims, and wide ones by looks
+    /// along a strip.
     fn by_strips(n: DVec3, rectangle: &[DVec3; 4], shadow: &RoundShadow, rims: &[DVec3]) -> f64 {
         const LOOKS: usize = 64;
         let [a, b, _, d] = *rectangle;

@@ -359,7 +359,7 @@ impl Job<'_> {
 
     /// Adds a part of the outer patch that needs more than one rule.
     fn refine(&mut self, whole: Whole) {
-        let most_cells = MOST_NUMBERS / (WHOLES * whole.carried.moments.len());
+        let most_cells = MOST_NUMBERS / (WHOLES * whole.carried.numbers());
         let mut cell = Cell::new(whole);
         (0..DIRECTIONS.len()).for_each(|direction| self.look(&mut cell, direction));
         let mut queue = Queue::default();

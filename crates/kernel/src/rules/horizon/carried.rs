@@ -39,6 +39,11 @@ impl Carried {
         }
     }
 
+    /// Numbers that it holds.
+    pub(super) fn numbers(&self) -> usize {
+        self.moments.len() + self.slopes.iter().map(Vec::len).sum::<usize>()
+    }
+
     /// The sum over two parts.
     pub(super) fn sum([first, second]: [&Self; 2]) -> Self {
         let sum = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a + b).collect();

@@ -10,8 +10,9 @@
 //! where the halves have ⌈¾ n⌉ points in the direction d, 3 at least, and the moments of the cell are those
 //! of its halves in the direction d of the larger e among those that were halved. ¼ is 2⁻³, the ratio at a
 //! kink of second order, doubled for the position of the kink. The error known in one direction is kept when
-//! the other is halved: each half inherits half of it, for two generations. m is the error of the margins of both
-//! halves (`margin`). `missed` is 0 unless no point of any rule sees anything; then it is 0.05 of the largest
+//! the other is halved: each half inherits half of it, and computes it anew before it is halved if it is that of
+//! a cell eight times as large. m is what both halves miss in their margins (`margin`), or where W begins.
+//! `missed` is 0 unless no point of any rule sees anything; then it is 0.05 of the largest
 //! entry that the cell would have if all its points saw as much as its best corner.
 
 use std::cmp::Ordering;
@@ -111,7 +112,7 @@ impl Cell {
         match self.better() {
             Some(direction) => {
                 let differences = ERROR_OF_HALVES * self.errors[direction] + self.errors[1 - direction];
-                differences + self.halves[direction].as_ref().map_or(0.0, in_margins) + self.missed
+                differences + self.halves[direction].as_ref().map_or(0.0, beyond_points) + self.missed
             }
             None => f64::INFINITY,
         }
@@ -186,7 +187,7 @@ impl Cell {
     }
 }
 
-fn in_margins(halves: &[Whole; 2]) -> f64 {
+fn beyond_points(halves: &[Whole; 2]) -> f64 {
     halves.iter().flat_map(|half| half.missed).sum()
 }
 

@@ -66,7 +66,8 @@ pub(super) struct Correction<'a> {
     /// Whether a blocker may pass through a curved outer element: what is hidden jumps where it does.
     pub(super) is_cut: bool,
     /// Whether one of the blockers is a can, a cone or a disk: then the shadow of each counts by itself, in closed
-    /// form. Balls alone have kites, which are as fast.
+    /// form: the schedule has made sure that no line meets two of them and that the inner element carries a constant.
+    /// Balls alone have kites, which are as fast.
     pub(super) has_frusta: bool,
 }
 

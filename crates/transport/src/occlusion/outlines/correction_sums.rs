@@ -140,8 +140,8 @@ impl<'a> CorrectionSums<'a> {
 
     pub(super) fn finish(self) -> Occlusion {
         let Self { correction, hides, dark, samples, moments, .. } = self;
-        let is_told = correction.is_round || correction.is_cut;
-        let agreed = if is_told { self.squares.sqrt() / AGREED_BY_LEVELS } else { 0.0 };
+        let is_smooth = !correction.is_round && !correction.is_cut;
+        let agreed = if is_smooth { 0.0 } else { self.squares.sqrt() / AGREED_BY_LEVELS };
         let error = self.error + agreed;
         Occlusion { values: moments.into_block(), hides, dark: dark && hides, error, samples }
     }
@@ -208,7 +208,7 @@ impl<'a> CorrectionSums<'a> {
         agreed.max(ROUNDING * self.correction.limit.entry)
     }
 
-    /// Bound of what may be hidden or seen between the sides of cells and their points, which are all hidden or all
+    /// Estimate of what is hidden or seen between the sides of cells and their points, which are all hidden or all
     /// seen: where corners are not, the hidden part jumps.
     fn beside_jumps(&mut self, cells: &[Patch], sums: &[CellSum], blockers: &[usize]) -> f64 {
         if !self.correction.is_cut {
