@@ -153,9 +153,15 @@ fn by_rays(factors: &ViewFactors) -> String {
     let part = |share: f64| errors.get((share * errors.len() as f64) as usize).or(errors.last());
     let [half, most, all] = [0.5, 0.9, 1.0]
         .map(|share| part(share).map_or("0".to_owned(), |error| significant(100.0 * error, 2)));
+    let unseen = factors.errors_of_unseen();
+    let least = unseen.iter().copied().fold(0.0, f64::max);
+    let of_unseen = match unseen.len() {
+        0 => String::new(),
+        count => format!(", without {count} rows that see nothing above {least:.0e}"),
+    };
     format!(
         "carried by rays ({}), {} pairs by rules: errors of half of the rows are within {half} % of their largest \
-         factor, of nine tenths {most} %, of all {all} %",
+         factor, of nine tenths {most} %, of all {all} %{of_unseen}",
         factors.choice.why, factors.exact_pairs
     )
 }

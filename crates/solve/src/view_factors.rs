@@ -171,17 +171,26 @@ impl ViewFactors {
         self.exchanges.sums().iter().zip(&self.areas).map(|(sum, area)| sum / area).collect()
     }
 
-    /// The error of each row relative to its largest factor, ascending; of rows without one nothing.
+    /// The error of each row relative to its largest factor, ascending; of rows of which none exceeds its error nothing.
     pub fn relative_errors(&self) -> Vec<f64> {
         let mut errors: Vec<f64> = self.errors_of_rows().into_iter().flatten().collect();
         errors.sort_by(f64::total_cmp);
         errors
     }
 
-    /// The error of each row relative to its largest factor; None of a row without one.
+    /// The errors of rows of which no factor exceeds its error, and so may be zero.
+    pub fn errors_of_unseen(&self) -> Vec<f64> {
+        let rows = self.errors_of_rows().into_iter().zip(&self.errors);
+        rows.filter(|(relative, error)| relative.is_none() && **error > 0.0)
+            .map(|(_, error)| *error)
+            .collect()
+    }
+
+    /// The error of each row relative to its largest factor; None where no factor exceeds its error.
     fn errors_of_rows(&self) -> Vec<Option<f64>> {
         let rows = self.exchanges.largest().into_iter().zip(&self.areas).zip(&self.errors);
-        rows.map(|((largest, area), error)| (largest > 0.0).then(|| error * area / largest)).collect()
+        rows.map(|((largest, area), error)| (largest > error * area).then(|| error * area / largest))
+            .collect()
     }
 
     /// The rows in which rays leave a larger error than `eps` of the largest factor; None where they leave none.

@@ -32,6 +32,8 @@ mod row_pairs;
 mod row_size;
 mod pair_need;
 mod pairs_as_blocks;
+#[cfg(test)]
+mod tests;
 
 use radiosity_elements::Elements;
 use radiosity_elements::sampling::shift::shift;
@@ -65,6 +67,9 @@ const TELLING: f64 = 0.75;
 
 /// Most segments of a pair of which hardly any carry something.
 const MOST_IDLE: u64 = 512;
+
+/// Segments of a pair over those that told how many it needs, at the most. Chosen.
+const MORE: u64 = 4;
 
 /// Segments of further looks at [`USUAL_EPS`], for each facet and in all at the most. Chosen: a furnished room of six
 /// thousand polygons takes a minute of one thread.
@@ -359,10 +364,13 @@ impl<'a> FacetTransport<'a> {
             segments.send(2 * segments.sent());
         }
         if segments.agree() {
-            segments.send(need.agreeing(eps));
+            segments
+                .send((need.agreeing(eps) as f64 * segments.spread()).min(pair_need::most() as f64) as u64);
         }
-        if !segments.agree() {
-            segments.send((segments.needed(need.error(eps)) as u64).min(pair_need::most()));
+        // The spread of few segments tells little of how many are needed.
+        let needed = |segments: &Segments| (segments.needed(need.error(eps)) as u64).min(pair_need::most());
+        while !segments.agree() && segments.sent() < needed(segments) {
+            segments.send(needed(segments).min(MORE * segments.sent()));
         }
     }
 

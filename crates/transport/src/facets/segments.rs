@@ -94,6 +94,11 @@ impl<'a> Segments<'a> {
         if self.all > 0.0 { self.all * self.all / self.squares } else { 0.0 }
     }
 
+    /// Segments for each that tells as much as one of one kernel.
+    pub(super) fn spread(&self) -> f64 {
+        self.sent as f64 / self.carrying().max(1.0)
+    }
+
     /// Whether all that carry something are free, or all are stopped.
     pub(super) fn agree(&self) -> bool {
         self.are_all_free() || self.are_none_free()
@@ -114,14 +119,16 @@ impl<'a> Segments<'a> {
         if self.all > 0.0 { self.free / self.all } else { 0.5 }
     }
 
-    /// The variance of v; where all agree, the square of the part by which they may be wrong, about.
+    /// The variance of v, no less than the square of the part by which as many segments of one kernel may be wrong if
+    /// they agree: where few carry most of the exchange, these may agree by chance.
     pub(super) fn variance(&self) -> f64 {
-        if self.all <= 0.0 || self.agree() {
-            return (self.carrying() + 2.0).powi(-2);
+        let least = (self.carrying() + 2.0).powi(-2);
+        if self.all <= 0.0 {
+            return least;
         }
         let v = self.part();
         let sum = (1.0 - 2.0 * v) * self.free_squares + v * v * self.squares;
-        sum.max(0.0) / (self.all * self.all)
+        (sum / (self.all * self.all)).max(least)
     }
 
     /// Segments that are needed for this error of v.
