@@ -1,14 +1,13 @@
 """Errors told beside true ones where things are near to each other. See README.md.
 
     python nearness.py pairs -n 200 [--seed 1] [--command radiosity] [--eps 1e-3,1e-6] [--fine 1e-9] [-o pairs.csv]
-    python nearness.py heat -n 100 [--seed 1] [--kinds box] [--command radiosity] [-o heat.csv]
+    python nearness.py heat -n 100 [--seed 1] [--kinds box] [--power 18] [--command radiosity] [-o heat.csv]
     python nearness.py sweeps [--command radiosity] [--eps 1e-6]
     python nearness.py show pairs 17 [--seed 1]
 
 `pairs`: two surfaces, one of them curved at least, at a gap of 1e-3 to 1 of their size. Factors at `--eps` stand beside those at `--fine`; cases
 whose fine run takes longer than a minute, as those that go to rays, are left out and counted.
-`heat`: closed rooms with one to three boxes, cans and balls at gaps of 1e-4 to 0.1 from walls and from each other, by the defaults and by
-elements and rules that are finer.
+`heat`: closed rooms with one or two boxes, cans and balls at gaps of 1e-4 to 0.1 from walls and from each other, beside paths of `paths.py`.
 `sweeps`: plates, balls over a disk, tubes in tubes and boxes in recesses, at gaps of 1 to 1e-12, beside closed forms.
 
 Case N of a seed is always the same. Needs numpy and scipy.
@@ -27,19 +26,18 @@ import tempfile
 import numpy as np
 from scipy.spatial import cKDTree
 
+import paths
 from behind import across, body, box, cone, disk, plate, unit
 
 CURVED = ["ball", "cylinder", "cone", "tube"]
 FLAT = ["disk", "rectangle"]
 BODIES = ["box", "can", "ball"]
-# A true error is seen where it is this many times what the finer run tells.
+# A true error is seen where it is this many times what the finer run tells, or the noise of paths.
 SEEN = 5.0
 # Told over true has to lie between these for 95 % of what is seen.
 RANGE = [0.5, 3.0]
 # Longest run (s).
 LONGEST = 60.0
-# Of the largest flow of a room: true errors below are those of the finer run.
-FLOOR_OF_HEAT = 1e-5
 
 
 # Surfaces.
@@ -185,17 +183,14 @@ def rows_of_pair(typed, number):
 def rows_of_room(typed, number):
     title, surfaces, materials = enclosure(number, typed.seed, typed.kinds.split(","))
     with tempfile.TemporaryDirectory() as folder:
-        file = written(folder, surfaces, materials)
-        found = run(typed.command, "heat", file)
-        fine = run(typed.command, "heat", file, "--subdivide", "3", "--order", "4", "--eps", "1e-5")
-    flows = [abs(row["flow"]) for row in fine["surfaces"]]
-    for own, right in zip(found["surfaces"], fine["surfaces"]):
-        key = "temperature" if own["is_flow_known"] and not own["is_temperature_known"] else "flow"
-        unit_ = right["temperature"] if key == "temperature" else max(flows)
+        found = run(typed.command, "heat", written(folder, surfaces, materials))
+    right = paths.balance(surfaces, materials, typed.power)
+    largest = max(abs(value) for key, value, _ in right if key == "flow")
+    for own, (key, value, noise) in zip(found["surfaces"], right):
+        unit_ = value if key == "temperature" else largest
         yield {
-            "case": number, "title": title, "what": f"{own['name']} {key}", "eps": "", "off": abs(own[key] - right[key]) / unit_,
-            "told": own[f"{key}_error"] / unit_, "fine": max(right[f"{key}_error"] / unit_, FLOOR_OF_HEAT / SEEN),
-            "seconds": "",
+            "case": number, "title": title, "what": f"{own['name']} {key}", "eps": "", "off": abs(own[key] - value) / unit_,
+            "told": own[f"{key}_error"] / unit_, "fine": noise / unit_, "seconds": "",
         }
 
 
@@ -312,6 +307,7 @@ def main():
             own.add_argument("-o", "--output")
         if name == "heat":
             own.add_argument("--kinds", default=",".join(BODIES))
+            own.add_argument("--power", type=int, default=18)
         else:
             own.add_argument("--eps", default="1e-3,1e-6" if name == "pairs" else "1e-6")
         if name == "pairs":

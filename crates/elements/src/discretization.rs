@@ -24,6 +24,11 @@ impl Discretization {
         let subdivide = Subdivide::Uniform(cuts);
         Self { order, space: Space::Total, subdivide, layers: Layers::NONE }
     }
+
+    /// Whether surfaces are cut for the sake of faces that are near.
+    pub(super) fn follows_near_faces(&self) -> bool {
+        matches!(self.subdivide, Subdivide::Auto { near_layers: true, .. }) && self.layers.count == 0
+    }
 }
 
 /// Cuts along u and v of a surface that does not state its own.
@@ -35,8 +40,8 @@ pub enum Subdivide {
     Auto {
         /// Whether anything in the scene can cast a shadow.
         occluded: bool,
-        /// Whether surfaces that others face from near by have layers at their sides (`nearness`), where none are
-        /// asked for.
+        /// Whether surfaces are cut along the outlines of others near by (`near_outlines`), and those that others face
+        /// from near by have layers at their sides (`nearness`), where no layers are asked for.
         #[serde(default, skip_serializing_if = "std::ops::Not::not")]
         near_layers: bool,
     },

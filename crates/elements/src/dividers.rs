@@ -35,12 +35,12 @@ pub(super) type Lines = [Vec<f64>; 2];
 
 /// The foot of a divider: a part of a line of constant u or v.
 #[derive(Clone, Copy, Debug)]
-struct Foot {
+pub(super) struct Foot {
     /// The parameter that is constant, 0 or 1.
-    across: usize,
-    at: f64,
+    pub across: usize,
+    pub at: f64,
     /// Range of the other parameter.
-    span: [f64; 2],
+    pub span: [f64; 2],
 }
 
 impl<'a> Dividers<'a> {
@@ -93,8 +93,8 @@ fn feet(shape: &dyn Surface, region: &PlanarRegion, other: &PlanarRegion) -> Vec
     on.filter_map(|(a, b)| foot(shape, [*a, *b])).collect()
 }
 
-/// The foot between two points of the plane of a surface; None where it is skew to its parameters.
-fn foot(shape: &dyn Surface, ends: [DVec3; 2]) -> Option<Foot> {
+/// The foot between the feet of two points on a surface; None where it is skew to its parameters.
+pub(super) fn foot(shape: &dyn Surface, ends: [DVec3; 2]) -> Option<Foot> {
     let [a, b] = ends.map(|end| shape.project(end)).map(|foot| [foot.u, foot.v]);
     let across = (0..2).find(|across| (a[*across] - b[*across]).abs() <= LOOSE)?;
     let along = 1 - across;

@@ -32,6 +32,7 @@ pub mod coating;
 pub mod mesh;
 mod discretization;
 mod dividers;
+mod near_outlines;
 mod nearness;
 mod shaded_parts;
 mod resolution;
@@ -58,7 +59,7 @@ use element::{Part, element};
 pub use fault::ElementError;
 use mesh::{CellRefinement, Mesh, Tree};
 use patch::Patch;
-use resolution::Resolution;
+use resolution::{Resolution, near_outlines};
 pub use resolution::{shares, usual_mesh};
 use space::Space;
 
@@ -412,7 +413,10 @@ fn shaded_parts(
     covered_parts: &CoveredParts,
 ) -> ShadedParts {
     let follows_light = how.subdivide.follows_light();
-    if follows_light { ShadedParts::of(scene, shapes, covered_parts) } else { ShadedParts::default() }
+    if !follows_light {
+        return ShadedParts::default();
+    }
+    ShadedParts::of(scene, shapes, covered_parts, &near_outlines(scene, how))
 }
 
 /// Where the coefficients of each element start, and their number.

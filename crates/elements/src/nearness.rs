@@ -9,7 +9,8 @@
 //!
 //! layers make the outermost ones about g wide. Each direction of a surface has its own length; where it closes,
 //! or ends in a point, there is no side. g is the median over places of the surface, so that what stands on a part
-//! of it does not count: that part is a divider's or a shaded one (`dividers`, `shaded_parts`).
+//! of it does not count: that part is a divider's, one between near outlines or a shaded one (`dividers`,
+//! `near_outlines`, `shaded_parts`).
 
 use radiosity_geom::{Aabb, Bvh, COINCIDENT, DVec3, Rect, Surface};
 use radiosity_scene::Scene;
@@ -21,7 +22,7 @@ const WIDE: f64 = 2.0;
 
 /// Most elements of all surfaces that layers make; layers are fewer everywhere where there would be more. Chosen: pairs
 /// of so many take some tenths of a second, and beyond a gap of a thousandth sides count little.
-const MOST_ELEMENTS: usize = 200;
+pub(super) const MOST_ELEMENTS: usize = 200;
 
 /// Parameters of the places at which distances are taken, along u and v. Chosen: a median of nine.
 const PLACES: [f64; 3] = [-0.6, 0.0, 0.6];

@@ -8,6 +8,7 @@ use super::cells::{Layers, equal_parts, with_layers};
 use super::discretization::{Discretization, Subdivide};
 use super::dividers::{Dividers, Lines, divided};
 use super::mesh::{Mesh, Tree};
+use super::near_outlines::{NearOutlines, merged};
 use super::nearness::Nearness;
 
 /// Order and cuts of each surface of a scene.
@@ -20,6 +21,8 @@ pub(super) struct Resolution<'a> {
     shares: Vec<f64>,
     /// Partitions that part the light of surfaces; None where a number of elements is asked for.
     dividers: Option<Dividers<'a>>,
+    /// Outlines of faces that are near, where surfaces are cut along them.
+    near_outlines: NearOutlines,
     /// Faces that are near, where surfaces have layers for them.
     nearness: Option<Nearness>,
 }
@@ -55,9 +58,8 @@ impl<'a> Resolution<'a> {
             Subdivide::Auto { .. } | Subdivide::Uniform(_) => Vec::new(),
         };
         let dividers = how.subdivide.follows_light().then(|| Dividers::of(scene));
-        let is_layered = matches!(how.subdivide, Subdivide::Auto { near_layers: true, .. });
-        let nearness = (is_layered && how.layers.count == 0).then(|| Nearness::of(scene));
-        Self { how: *how, extent, shares, dividers, nearness }
+        let nearness = how.follows_near_faces().then(|| Nearness::of(scene));
+        Self { how: *how, extent, shares, dividers, near_outlines: near_outlines(scene, how), nearness }
     }
 
     /// Order of the polynomials on the `index`-th surface.
@@ -106,13 +108,21 @@ impl<'a> Resolution<'a> {
     /// its emission.
     fn lines(&self, index: usize, surface: &SceneSurface) -> Lines {
         let is_free = surface.subdivide.is_none() && surface.material.emission_pattern.is_none();
-        self.dividers.as_ref().filter(|_| is_free).map_or_else(Lines::default, |all| all.lines(index))
+        let divided = self.dividers.as_ref().filter(|_| is_free);
+        let divided = divided.map_or_else(Lines::default, |all| all.lines(index));
+        let outlined = self.near_outlines.lines(index);
+        [0, 1].map(|across| merged(&divided[across], &outlined[across]))
     }
 
     fn grade(&self, index: usize, rays: u64) -> Option<&'static Grade> {
         let own = rays as f64 * self.shares[index];
         GRADES.iter().find(|grade| own >= grade.rays)
     }
+}
+
+/// The near outlines along which surfaces are cut; none where layers or a number of elements are asked for.
+pub(super) fn near_outlines(scene: &Scene, how: &Discretization) -> NearOutlines {
+    if how.follows_near_faces() { NearOutlines::of(scene) } else { NearOutlines::default() }
 }
 
 /// The mesh that follows from `how`.

@@ -18,6 +18,8 @@ use radiosity_scene::Scene;
 use radiosity_visibility::covered_parts::{CoveredParts, without};
 use radiosity_visibility::tolerances::{NARROW_GAP, NARROW_GAP_IN_SCENE, NARROW_PIECE};
 
+use super::near_outlines::NearOutlines;
+
 /// Part of the area of a surface that gaps hide at least. Chosen: less makes what is seen darker by less than readings
 /// tell.
 const LEAST: f64 = 1e-3;
@@ -40,9 +42,15 @@ pub(super) struct ShadedPart {
 pub(super) struct ShadedParts(Vec<Vec<ShadedPart>>);
 
 impl ShadedParts {
-    /// Finds those of surfaces with these `shapes`, footprints left out, outside of what is covered.
-    pub(super) fn of(scene: &Scene, shapes: &[Arc<dyn Surface>], covered_parts: &CoveredParts) -> Self {
-        let gaps = Gaps::of(scene);
+    /// Finds those of surfaces with these `shapes`, footprints left out, outside of what is covered and under what they
+    /// are not cut along the outline of.
+    pub(super) fn of(
+        scene: &Scene,
+        shapes: &[Arc<dyn Surface>],
+        covered_parts: &CoveredParts,
+        near_outlines: &NearOutlines,
+    ) -> Self {
+        let gaps = Gaps::of(scene, near_outlines);
         let of_surface =
             |(surface, shape): (usize, &Arc<dyn Surface>)| gaps.parts(surface, &**shape, covered_parts);
         Self(shapes.iter().enumerate().map(of_surface).collect())
@@ -57,6 +65,7 @@ impl ShadedParts {
 /// The flat surfaces of a scene, as ends of gaps.
 struct Gaps<'a> {
     scene: &'a Scene,
+    near_outlines: &'a NearOutlines,
     /// Greatest height of a gap (scene length).
     highest: f64,
     /// Index of each.
@@ -65,14 +74,14 @@ struct Gaps<'a> {
 }
 
 impl<'a> Gaps<'a> {
-    fn of(scene: &'a Scene) -> Self {
+    fn of(scene: &'a Scene, near_outlines: &'a NearOutlines) -> Self {
         let boxes: Vec<Aabb> =
             scene.surfaces.iter().map(|surface| surface.shape.bounds(&Rect::FULL)).collect();
         let all = boxes.iter().fold(Aabb::EMPTY, |all, own| all.union(*own));
         let is_flat = |index: &usize| scene.surfaces[*index].shape.region().is_some();
         let flat: Vec<usize> = (0..scene.surfaces.len()).filter(is_flat).collect();
         let tree = Bvh::build(&flat.iter().map(|index| boxes[*index]).collect::<Vec<_>>());
-        Self { scene, highest: NARROW_GAP_IN_SCENE * all.diagonal(), flat, tree }
+        Self { scene, near_outlines, highest: NARROW_GAP_IN_SCENE * all.diagonal(), flat, tree }
     }
 
     /// The shaded parts of a surface of this shape; none where it is hidden nearly all or nearly nowhere.
@@ -102,7 +111,7 @@ impl<'a> Gaps<'a> {
     fn over(&self, surface: usize, region: &PlanarRegion) -> Vec<usize> {
         let bounds = Aabb::around(region.outer().iter().copied()).inflate(self.highest);
         let near = self.tree.near(&bounds).into_iter().map(|place| self.flat[place]);
-        let others = near.filter(|other| *other != surface);
+        let others = near.filter(|other| *other != surface && !self.near_outlines.follow(surface, *other));
         let height = |other: usize| self.height(region, self.scene.surfaces[other].shape.region()?);
         let mut over: Vec<(f64, usize)> = others.filter_map(|other| Some((height(other)?, other))).collect();
         over.sort_by(|a, b| a.0.total_cmp(&b.0));
@@ -147,7 +156,7 @@ mod tests {
         let scene = radiosity_language::read(&Source::new("wall.toml", text)).expect("it is a scene");
         let shapes: Vec<Arc<dyn Surface>> =
             scene.surfaces.iter().map(|surface| Arc::clone(&surface.shape)).collect();
-        let parts = ShadedParts::of(&scene, &shapes, &CoveredParts::new(&scene));
+        let parts = ShadedParts::of(&scene, &shapes, &CoveredParts::new(&scene), &NearOutlines::default());
         let area = |part: &ShadedPart| part.pieces.iter().map(|piece| polygon_area(piece)).sum();
         parts.of_surface(0).iter().map(area).collect()
     }
