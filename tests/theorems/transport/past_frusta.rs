@@ -1,5 +1,5 @@
-//! Polygons and disks past balls, cans, cones and disks: by their outlines, without rays. What a thing hides of a ceiling that
-//! is wide enough is what it catches; rooms are closed; and quadratures of this test's own.
+//! Polygons and disks past balls, cans, cones and disks: by their outlines, without rays. What a thing hides of a
+//! ceiling that is wide enough is what it catches; rooms are closed; and quadratures of this test's own.
 
 use std::f64::consts::{PI, TAU};
 use std::sync::Arc;

@@ -58,7 +58,7 @@ impl Within {
     pub(super) const NONE: Self = Self { irradiance: 0.0, coverage: Coverage::Clear };
 }
 
-/// What bounds a view, convex and relative to the point. Its border runs as the outline does.
+/// A convex bound of a view, relative to the point. Its border runs as the outline does.
 pub(super) trait Window {
     /// Where a piece of the outline passes the border, as parts of the piece; cuts the border there.
     fn cut(&mut self, piece: &Piece) -> SmallVec<[f64; 8]>;
@@ -80,8 +80,8 @@ pub(super) fn by_kites(n: DVec3, polygon: &[DVec3], shadow: &RoundShadow) -> Wit
     Within { irradiance: lambert::polygon(n, &part), coverage }
 }
 
-/// What lies within the outline of a round thing and within a window, all of it beyond the thing and above the horizon
-/// of the unit normal `n`; None where its border is not closed. `window` makes the window to a sense of the outline:
+/// The common part of the outline of a round thing and a window, all of it beyond the thing and above the horizon of
+/// the unit normal `n`; None where its border is not closed. `window` makes the window to a sense of the outline:
 /// 1 where that runs anticlockwise as seen from the point, else -1.
 pub(super) fn within<W: Window>(
     n: DVec3,

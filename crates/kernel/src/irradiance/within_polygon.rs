@@ -43,7 +43,7 @@ fn moved(polygon: &[DVec3], moves: usize) -> Corners {
 struct Sides(SmallVec<[Side; 8]>);
 
 impl Sides {
-    /// Those of some length.
+    /// The sides of some length.
     fn of(polygon: &[DVec3], turn: f64) -> Self {
         let sense = turn * area_vector(polygon).dot(polygon[0]);
         let side = |k: usize| {

@@ -48,8 +48,8 @@ fn lie_before_each_other([first, second]: [Option<(Plane, &[DVec3])>; 2]) -> boo
     is_before(a, b_hull) && is_before(b, a_hull)
 }
 
-/// For each surface, whether it is best left uncut, as what cans, cones and disks hide of it has a closed form: disks and
-/// rings that see each other past them alone.
+/// For each surface, whether it is best left uncut, as what cans, cones and disks hide of it has a closed form: disks
+/// and rings that see each other past them alone.
 pub(crate) fn best_whole(visibility: &Visibility, surfaces: usize) -> Vec<bool> {
     let disk = |surface: usize| Some((surface, level(&visibility.meridian(surface)?)?));
     let disks: Vec<(usize, Plane)> = (0..surfaces).filter_map(disk).collect();
@@ -93,8 +93,8 @@ pub(crate) fn are_round(blockers: &[usize], visibility: &Visibility) -> bool {
     blockers.iter().all(|own| visibility.frustum(*own).is_some() || visibility.ball(*own).is_some())
 }
 
-/// Whether shadows of `bodies` can be summed: all are frusta or balls, and no line from within the hull of `outer` meets
-/// two of them.
+/// Whether shadows of `bodies` can be summed: all are frusta or balls, and no line from within the hull of `outer`
+/// meets two of them.
 pub(crate) fn are_apart(outer: &[DVec3], bodies: &[usize], visibility: &Visibility) -> bool {
     // The nearer one of two would lie between the element and the other.
     let comes_before = |near: usize, far: usize| {

@@ -363,8 +363,8 @@ impl<'a> CorrectionSums<'a> {
         (any, everything)
     }
 
-    /// Whether anything is hidden by round things apart of a disk or a ring that carries a constant, and whether all is:
-    /// through their outlines.
+    /// Whether anything is hidden by round things apart of a disk or a ring that carries a constant, and whether
+    /// all is: through their outlines.
     fn hidden_of_rims(&mut self, rims: &Rims, x: &Node, blockers: &[usize], out: &mut [f64]) -> (bool, bool) {
         let (disk, hole) = rims.seen_from(x.position);
         let (mut any, mut everything) = (false, false);
