@@ -81,7 +81,7 @@ pub use ray::{Hit, Ray};
 pub use ray_tree::{Encounter, RayTree};
 pub use rect::Rect;
 pub use region::PlanarRegion;
-pub use roots::quadratic;
+pub use roots::{bernstein as bernstein_roots, quadratic};
 pub use rounding::{coordinate_rounding, unit_roundoff};
 pub use separated::{separated, separates, separating};
 pub use shape_error::ShapeError;

@@ -38,7 +38,7 @@ const DEEPEST: usize = 26;
 /// Visits the roots in [0, 1] of the polynomial with Bernstein coefficients `b`: each at least once, simple
 /// ones to full precision, multiple ones to about 1e-8, where there may be false ones too: the caller has to
 /// check.
-pub(crate) fn bernstein<const N: usize>(b: [f64; N], mut visit: impl FnMut(f64)) {
+pub fn bernstein<const N: usize>(b: [f64; N], mut visit: impl FnMut(f64)) {
     let largest = b.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
     // The zero polynomial vanishes everywhere and so nowhere in particular.
     if largest > 0.0 {

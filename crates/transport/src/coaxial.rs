@@ -60,7 +60,7 @@ pub(crate) fn block(
 
 /// For each surface, whether it is best left uncut, as the rule knows what wholes exchange: those of which a
 /// coaxial cylinder hides a part from another one, and those whose exchange with one of these the rule knows.
-pub fn best_whole(visibility: &Visibility, surfaces: usize) -> Vec<bool> {
+pub(crate) fn best_whole(visibility: &Visibility, surfaces: usize) -> Vec<bool> {
     let known = known_pairs(visibility, surfaces);
     let mut are_hidden = vec![false; surfaces];
     for (pair, _) in known.iter().filter(|(_, found)| found.core > 0.0) {

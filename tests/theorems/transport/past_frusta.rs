@@ -1,16 +1,18 @@
-//! Polygons past balls, cans, cones and disks: by their outlines, without rays. What a thing hides of a ceiling that
-//! is wide enough is what it catches; rooms are closed; and quadratures of this test's own.
+//! Polygons and disks past balls, cans, cones and disks: by their outlines, without rays. What a thing hides of a
+//! ceiling that is wide enough is what it catches; rooms are closed; and quadratures of this test's own.
 
-use std::f64::consts::PI;
+use std::f64::consts::{PI, TAU};
 use std::sync::Arc;
 
 use radiosity::elements::Element;
 use radiosity::elements::rule::UnitRule;
-use radiosity::geom::shapes::{Cone, FULL_TURN, Parallelogram};
+use radiosity::geom::shapes::{Cone, Disk, FULL_TURN, Parallelogram, Polygon};
 use radiosity::geom::{DVec3, Ray, Surface};
 use radiosity::kernel::Accuracy;
 use radiosity::scene::Scene;
+use radiosity::transport::{Demand, assemble};
 use radiosity::visibility::{Shadows, Visibility};
+use radiosity::work::Work;
 use radiosity_test_support::random::Random;
 use radiosity_test_support::scenes::grey;
 use radiosity_test_support::shapes::{ball, disk, faces, plate, tube};
@@ -141,6 +143,56 @@ fn what_is_hidden_of_a_wide_ceiling_is_what_is_caught() {
         );
         assert!(caught > 3e-3 && found.rays == 0, "{thing:?} {place:?}: {} rays", found.rays);
         assert!(off <= 1e-7, "{thing:?} {place:?}: off by {off:.1e}");
+    }
+}
+
+/// The polygon of this many corners that stands for a disk at a height, of its area, and seen from below.
+fn many_sided(corners: usize, height: f64, radius: f64) -> Polygon {
+    let turn = TAU / corners as f64;
+    let out = radius * (turn / turn.sin()).sqrt();
+    let corner = |k: usize| {
+        let (sin, cos) = (-turn * k as f64).sin_cos();
+        DVec3::new(out * cos, out * sin, height)
+    };
+    Polygon::new((0..corners).map(corner).collect(), Vec::new()).expect("a polygon")
+}
+
+/// A disk sees a disk, and a ring, past a thing as it sees polygons of many sides, without a ray.
+#[test]
+fn disks_past_things_are_polygons_of_many_sides() {
+    let places = [
+        Place { base: DVec3::new(0.2, 0.1, 0.4), axis: 0.9 * DVec3::Z, radius: 0.4 },
+        Place { base: DVec3::new(0.7, 0.1, 1.0), axis: DVec3::new(0.3, 0.1, 0.3), radius: 0.5 },
+    ];
+    let (eps, height, [hole, rim]) = (1e-6, 2.0, [0.5, 1.2]);
+    let seen = |place: Place, thing: Thing, other: Arc<dyn Surface>| {
+        let (mut builder, grey) = grey();
+        builder.surface("low", disk(DVec3::ZERO, DVec3::Z, 1.0), &grey);
+        builder.surface("high", other, &grey);
+        for (part, shape) in thing.shapes(place).into_iter().enumerate() {
+            builder.surface(format!("part {part}"), shape, &grey);
+        }
+        let scene = builder.build().expect("the scene is valid");
+        let (elements, visibility) = (elements_of(&scene, 0, 1), Visibility::new(&scene, Shadows::Auto, eps));
+        let accuracy = Accuracy { eps, shadow_eps: eps };
+        let demand = Demand::all(&elements, &visibility, accuracy);
+        let found = assemble(demand.of(&|a, b| [a, b] == [0, 1]), None, &Work::alone());
+        assert_eq!(found.statistics.rays, 0, "{thing:?} {place:?}");
+        let firsts: f64 = found.iter().map(|block| block.values[0]).sum();
+        firsts * (elements.list()[1].area / elements.list()[0].area).sqrt()
+    };
+    for (thing, place) in [Thing::Can { is_closed: true }, Thing::Funnel]
+        .into_iter()
+        .flat_map(|thing| places.map(|place| (thing, place)))
+    {
+        let polygon = |radius: f64| seen(place, thing, Arc::new(many_sided(128, height, radius)));
+        let (whole, amid) = (polygon(rim), polygon(hole));
+        for (inner, right) in [(0.0, whole), (hole, whole - amid)] {
+            let round = Disk::new(height * DVec3::Z, -DVec3::Z, rim, inner, FULL_TURN).expect("a ring");
+            let off = (seen(place, thing, Arc::new(round)) - right).abs();
+            println!("{thing:?} {place:?}, hole {inner}: {right:.5}, off by {off:.1e}");
+            assert!(off <= eps, "{thing:?} {place:?}, hole {inner}: off by {off:.1e}");
+        }
     }
 }
 

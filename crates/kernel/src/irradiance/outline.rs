@@ -137,6 +137,14 @@ impl Piece {
         }
     }
 
+    /// A direction to the midst of it.
+    pub(super) fn amid(&self) -> DVec3 {
+        match self {
+            Self::Segment([from, to]) => from.normalize_or_zero() + to.normalize_or_zero(),
+            Self::Arc(_) => self.at(0.5),
+        }
+    }
+
     /// The part of it over a range of 0 to 1.
     pub(super) fn part(&self, range: [f64; 2]) -> Self {
         match self {
@@ -181,6 +189,13 @@ impl Arc {
     fn at(&self, angle: f64) -> DVec3 {
         let (sin, cos) = angle.sin_cos();
         self.center + cos * self.axes[0] + sin * self.axes[1]
+    }
+
+    /// Control points in homogeneous coordinates, as a rational curve of degree 2, of the part of it from so far
+    /// before an angle to as far behind it.
+    pub(super) fn controls(&self, middle: f64, half: f64) -> [DVec3; 3] {
+        let amid = half.cos() * self.center + (self.at(middle) - self.center);
+        [self.at(middle - half), amid, self.at(middle + half)]
     }
 
     /// ψ after a part of it.

@@ -1,58 +1,16 @@
-//! Irradiance at a point through a convex polygon within a convex outline of arcs and segments.
-//!
-//! The border of what lies within both is made of the parts of the outline inside the polygon and the parts of
-//! its sides within the outline. Each has its term ([`crate::irradiance::outline`]), in whatever order. The
-//! outline is cut where it passes the planes of the sides, and the sides at these places, so that parts join to
-//! rounding. Which parts count is told by places amid them: of the outline against the sides, of a side against
-//! the thing itself.
-//!
-//! A closed border starts as often as it ends at each of its places: with g a function of directions,
-//!
-//! ```text
-//! Σ_parts g(end) − g(start) = 0 ,     g(u) = (1 + c·u) u ,   c fixed, along no axis of symmetry.
-//! ```
-//!
-//! Where an outline and a side fall on each other, a part may count twice or not at all, and the sum is not 0.
-//! Then corners move by 10⁻⁹ of their distance, and kites take the place of an outline that is open for all that.
+//! Irradiance at a point through a convex polygon within a convex outline of arcs and segments
+//! ([`crate::irradiance::within`]).
 
-use core::f64::consts::TAU;
-
-use radiosity_geom::{COINCIDENT, DVec3, area_vector};
-use radiosity_visibility::round_outline::RoundOutline;
+use radiosity_geom::{DVec3, area_vector};
 use radiosity_visibility::round_shadow::RoundShadow;
 use radiosity_visibility::shadow_volume::{Corners, Coverage};
-use smallvec::{SmallVec, smallvec};
+use smallvec::SmallVec;
 
-use crate::irradiance::lambert;
-use crate::irradiance::outline::{Arc, Piece};
-
-/// Largest sum over a closed border, and how far its light may lie below none.
-const CLOSED: f64 = 1e-10;
-
-/// Distance by which corners move, over theirs from the point, and how often they do.
-const MOVED: f64 = 1e-9;
-const MOVES: usize = 2;
-
-/// c of the header.
-const UNEVEN: DVec3 = DVec3::new(0.31, 0.17, 0.43);
-
-/// Corners of kites: they miss 7e-10 of the shadow of something far.
-const KITES: usize = 128;
-
-/// Places that tell of a part of the outline whether it lies inside: one may lie on a side that is touched.
-const PLACES: [f64; 3] = [0.5, 0.31, 0.77];
+use crate::irradiance::outline::Piece;
+use crate::irradiance::within::{MOVED, MOVES, Window, Within, by_kites, within};
 
 /// Sine of the angle between the ends of a side below which it has no plane.
 const NO_SIDE: f64 = 1e-14;
-
-/// The common part of a polygon and an outline.
-#[derive(Clone, Copy, Debug)]
-pub struct Within {
-    /// Irradiance from it at exitance 1.
-    pub irradiance: f64,
-    /// How much of the polygon lies within the outline.
-    pub coverage: Coverage,
-}
 
 /// The part of a convex `polygon` above the horizon of the unit normal `n` that a round thing hides, relative
 /// to the point.
@@ -60,9 +18,10 @@ pub fn hidden_by_round(n: DVec3, polygon: &[DVec3], shadow: &RoundShadow) -> Wit
     let mut beyond = Corners::from_slice(polygon);
     shadow.cut(&mut beyond);
     if beyond.len() < 3 {
-        return Within { irradiance: 0.0, coverage: Coverage::Clear };
+        return Within::NONE;
     }
-    let found = (0..=MOVES).find_map(|moves| within(n, &moved(&beyond, moves), shadow));
+    let found =
+        (0..=MOVES).find_map(|moves| within(n, shadow, |turn| Sides::of(&moved(&beyond, moves), turn)));
     let found = found.unwrap_or_else(|| by_kites(n, &beyond, shadow));
     match found.coverage {
         Coverage::Hidden if beyond[..] != *polygon => Within { coverage: Coverage::Mixed, ..found },
@@ -80,94 +39,39 @@ fn moved(polygon: &[DVec3], moves: usize) -> Corners {
     polygon.iter().enumerate().map(|(k, corner)| corner + size * corner.length() * step(k)).collect()
 }
 
-/// The part of a convex `polygon`, all of it beyond a round thing, within kites that stand for its outline.
-fn by_kites(n: DVec3, polygon: &[DVec3], shadow: &RoundShadow) -> Within {
-    let part = shadow.kites(polygon, KITES);
-    if part.len() < 3 {
-        return Within { irradiance: 0.0, coverage: Coverage::Clear };
+/// A polygon in the sense of an outline.
+struct Sides(SmallVec<[Side; 8]>);
+
+impl Sides {
+    /// The sides of some length.
+    fn of(polygon: &[DVec3], turn: f64) -> Self {
+        let sense = turn * area_vector(polygon).dot(polygon[0]);
+        let side = |k: usize| {
+            let ends = [polygon[k], polygon[(k + 1) % polygon.len()]];
+            Side::of(if sense < 0.0 { [ends[1], ends[0]] } else { ends }, turn)
+        };
+        Self((0..polygon.len()).filter_map(side).collect())
     }
-    let coverage = if part[..] == *polygon { Coverage::Hidden } else { Coverage::Mixed };
-    Within { irradiance: lambert::polygon(n, &part), coverage }
 }
 
-/// The part of a convex `polygon`, all of it beyond a round thing, within its outline; None where its border is
-/// not closed.
-fn within(n: DVec3, polygon: &[DVec3], shadow: &RoundShadow) -> Option<Within> {
-    let pieces = pieces(&shadow.outline);
-    let turn = sense_of(&pieces).signum();
-    let mut sides = sides(polygon, turn);
-    let mut border = Border { n, light: 0.0, open: DVec3::ZERO };
-    let mut has_outline = false;
-    for piece in &pieces {
-        for range in inside(piece, &mut sides) {
-            has_outline = true;
-            border.add(&piece.part(range));
-        }
-    }
-    let (mut any, mut all) = (false, true);
-    for side in &mut sides {
-        for [from, to] in side.parts() {
-            let is_hidden = shadow.holds(from.normalize_or_zero() + to.normalize_or_zero());
-            any |= is_hidden;
-            all &= is_hidden;
-            if is_hidden {
-                border.add(&Piece::Segment([from, to]));
+impl Window for Sides {
+    fn cut(&mut self, piece: &Piece) -> SmallVec<[f64; 8]> {
+        let mut places = SmallVec::new();
+        for side in &mut self.0 {
+            for place in piece.crossings(side.inward) {
+                side.cut(piece.at(place));
+                places.push(place);
             }
         }
+        places
     }
-    let light = turn * border.light / TAU;
-    let coverage = match (has_outline || any, has_outline || !all) {
-        (false, _) => Coverage::Clear,
-        (true, false) => Coverage::Hidden,
-        (true, true) => Coverage::Mixed,
-    };
-    let is_closed = border.open.length() <= CLOSED && light >= -CLOSED;
-    is_closed.then_some(Within { irradiance: light.max(0.0), coverage })
-}
 
-/// The pieces of an outline, joined end to end.
-fn pieces(outline: &RoundOutline) -> SmallVec<[Piece; 4]> {
-    let arc = |k: usize| {
-        let rim = outline.rims[k % outline.rims.len()];
-        Arc { center: rim.center, axes: rim.axes, angles: rim.angles }
-    };
-    let mut pieces = SmallVec::new();
-    for k in 0..outline.rims.len() {
-        let [own, next] = [arc(k), arc(k + 1)];
-        if own.angles[0] != own.angles[1] {
-            pieces.push(Piece::Arc(own));
-        }
-        if outline.rims.len() > 1 {
-            pieces.push(Piece::Segment([own.ends()[1], next.ends()[0]]));
-        }
+    fn depth(&self, direction: DVec3) -> f64 {
+        self.0.iter().map(|side| side.inward.dot(direction)).fold(f64::INFINITY, f64::min)
     }
-    pieces
-}
 
-/// Positive where an outline runs anticlockwise as seen from the point.
-fn sense_of(pieces: &[Piece]) -> f64 {
-    let places: SmallVec<[DVec3; 12]> =
-        pieces.iter().flat_map(|piece| [0.0, 1.0 / 3.0, 2.0 / 3.0].map(|part| piece.at(part))).collect();
-    area_vector(&places).dot(places.iter().sum())
-}
-
-/// A sum along a border.
-struct Border {
-    n: DVec3,
-    /// 2π of the irradiance.
-    light: f64,
-    /// Σ g(end) − g(start).
-    open: DVec3,
-}
-
-impl Border {
-    fn add(&mut self, part: &Piece) {
-        let [start, end] = [0.0, 1.0].map(|end| {
-            let direction = part.at(end).normalize_or_zero();
-            (1.0 + UNEVEN.dot(direction)) * direction
-        });
-        self.open += end - start;
-        self.light += part.integral(self.n);
+    fn parts(&mut self) -> SmallVec<[Piece; 8]> {
+        self.0.iter_mut().flat_map(Side::parts).map(Piece::Segment).collect()
     }
 }
 
@@ -178,16 +82,6 @@ struct Side {
     inward: DVec3,
     /// Places of the outline on it, and the parts of its length before them.
     cuts: SmallVec<[(f64, DVec3); 4]>,
-}
-
-/// The sides of a polygon in the sense of an outline, without those of no length.
-fn sides(polygon: &[DVec3], turn: f64) -> SmallVec<[Side; 8]> {
-    let sense = turn * area_vector(polygon).dot(polygon[0]);
-    let side = |k: usize| {
-        let ends = [polygon[k], polygon[(k + 1) % polygon.len()]];
-        Side::of(if sense < 0.0 { [ends[1], ends[0]] } else { ends }, turn)
-    };
-    (0..polygon.len()).filter_map(side).collect()
 }
 
 impl Side {
@@ -218,48 +112,17 @@ impl Side {
     }
 }
 
-/// The parts of a piece inside all sides, as ranges of 0 to 1; cuts the sides where it passes them.
-fn inside(piece: &Piece, sides: &mut [Side]) -> SmallVec<[[f64; 2]; 4]> {
-    let mut places: SmallVec<[f64; 12]> = smallvec![0.0, 1.0];
-    for side in &mut *sides {
-        for place in piece.crossings(side.inward) {
-            side.cut(piece.at(place));
-            places.push(place);
-        }
-    }
-    places.sort_by(f64::total_cmp);
-    let mut found: SmallVec<[[f64; 2]; 4]> = SmallVec::new();
-    for ends in places.windows(2).filter(|ends| ends[0] < ends[1]) {
-        if !is_inside(piece, [ends[0], ends[1]], sides) {
-            continue;
-        }
-        match found.last_mut() {
-            Some([_, last]) if *last == ends[0] => *last = ends[1],
-            _ => found.push([ends[0], ends[1]]),
-        }
-    }
-    found
-}
-
-/// Whether a part of a piece lies inside all sides: by the first of a few places that lies on none.
-fn is_inside(piece: &Piece, [from, to]: [f64; 2], sides: &[Side]) -> bool {
-    let depth = |part: f64| {
-        let place = piece.at(from + part * (to - from));
-        let heights = sides.iter().map(|side| side.inward.dot(place));
-        heights.fold(f64::INFINITY, f64::min) / place.length()
-    };
-    let told = PLACES.into_iter().map(depth).find(|depth| depth.abs() > COINCIDENT);
-    told.is_some_and(|depth| depth > 0.0)
-}
-
 #[cfg(test)]
 mod tests {
+    use core::f64::consts::TAU;
+
     use proptest::prelude::*;
     use radiosity_geom::Surface;
     use radiosity_geom::shapes::{Cone, Disk, FULL_TURN};
     use radiosity_visibility::frustum::Frustum;
 
     use super::*;
+    use crate::irradiance::lambert;
 
     /// Strips of a rectangle.
     const STRIPS: usize = 2000;

@@ -16,7 +16,10 @@ use serde::{Deserialize, Serialize};
 /// Most turns. Each halves about what is missing; elements that few rays reach are the slow ones.
 const TURNS: usize = 60;
 
-/// Largest relative error of a row sum at which the turns end: far below what is left of sampling.
+/// Largest relative error of a row sum at which the turns end, over that of the pairs that are known beside those by
+/// rays, and where these are known badly: far below what is left of sampling. Where few pairs are left to rays, sums
+/// tell them as well as the others are known.
+const OF_KNOWN: f64 = 1e-3;
 const SETTLED: f64 = 1e-6;
 
 /// Bounds of a factor: an element whose sum is farther off was reached by too few rays to tell.
@@ -30,8 +33,9 @@ pub(super) struct Exchange {
     pub amount: f64,
 }
 
-/// The factors d for the row sums `wanted`.
-pub(super) fn factors(exchanges: &[Exchange], wanted: &[f64]) -> Vec<f64> {
+/// The factors d for the row sums `wanted`, beside pairs known to the relative error `known`.
+pub(super) fn factors(exchanges: &[Exchange], wanted: &[f64], known: f64) -> Vec<f64> {
+    let settled = SETTLED.min(OF_KNOWN * known);
     let mut d = vec![1.0; wanted.len()];
     for _ in 0..TURNS {
         let sums = row_sums(exchanges, &d);
@@ -42,7 +46,7 @@ pub(super) fn factors(exchanges: &[Exchange], wanted: &[f64]) -> Vec<f64> {
                 *d = (*d * (wanted / sum).sqrt()).clamp(FACTORS[0], FACTORS[1]);
             }
         }
-        if worst <= SETTLED {
+        if worst <= settled {
             break;
         }
     }
@@ -75,15 +79,17 @@ mod tests {
     fn rows_sum_to_what_is_wanted() {
         let exchanges = [exchange(0, 1, 0.5), exchange(0, 2, 0.4), exchange(1, 2, 0.45), exchange(2, 2, 0.1)];
         let wanted = [1.0, 1.1, 0.9];
-        let d = factors(&exchanges, &wanted);
-        for (sum, wanted) in row_sums(&exchanges, &d).iter().zip(wanted) {
-            assert!((sum / wanted - 1.0).abs() < 2e-6, "{sum}");
+        for (known, least) in [(1e-3, 2e-6), (1e-6, 2e-9), (1.0, 2e-6)] {
+            let d = factors(&exchanges, &wanted, known);
+            for (sum, wanted) in row_sums(&exchanges, &d).iter().zip(wanted) {
+                assert!((sum / wanted - 1.0).abs() < least, "{sum} beside {known:e}");
+            }
         }
     }
 
     #[test]
     fn what_nothing_reaches_is_left_alone() {
-        let d = factors(&[exchange(0, 1, 0.5)], &[0.5, 0.5, 1.0]);
+        let d = factors(&[exchange(0, 1, 0.5)], &[0.5, 0.5, 1.0], 1e-3);
         assert_eq!(d[2], 1.0);
         assert!((d[0] - 1.0).abs() < 1e-6 && (d[1] - 1.0).abs() < 1e-6);
     }

@@ -94,6 +94,8 @@ pub(super) struct Estimate<'a> {
     list: &'a [Element],
     starts: &'a [usize],
     counted: Counted<'a>,
+    /// Relative error of the pairs on which no ray counts.
+    error: f64,
     /// Pairs that rays would be counted on if they were hidden, and none was.
     wholly_seen: Vec<(u32, u32)>,
     /// W_i, the sum of the weights of the rays of each element.
@@ -152,7 +154,8 @@ impl<'a> Estimate<'a> {
         let (missed, exact) = (all(&counts.missed), all(&counts.exact));
         let wholly_seen = counted.wholly_seen();
         let [variances, known] = [Vec::new(), Vec::new()];
-        let mut estimate = Self { list, starts, counted, wholly_seen, weights, variances, known };
+        let mut estimate =
+            Self { list, starts, counted, error: fixed.error, wholly_seen, weights, variances, known };
         for index in 0..list.len() {
             let range = starts[index]..starts[index + 1];
             estimate.take(index, &missed[range.clone()], &exact[range], fixed);
@@ -196,7 +199,7 @@ impl<'a> Estimate<'a> {
         let estimates = self.pair_estimates();
         let exchanges: Vec<Exchange> = estimates.iter().map(|pair| pair.exchange).collect();
         let trust = self.trust(&estimates);
-        let factors = closure::factors(&exchanges, &self.wanted(&exchanges, &trust));
+        let factors = closure::factors(&exchanges, &self.wanted(&exchanges, &trust), self.error);
         let tilts = self.tilts(&factors, &trust);
         let totals = closure::row_sums(&exchanges, &factors);
         let corrections = Corrections { factors, tilts, totals };

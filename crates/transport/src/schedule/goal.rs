@@ -181,7 +181,7 @@ impl Schedule<'_> {
     /// to a third of what is seen past two disks.
     fn have_closed_forms(&self, pair: [&Element; 2], blockers: &[usize]) -> bool {
         let bodies = self.visibility.one_of_each_body(blockers);
-        pair.iter().all(|own| own.basis.len() == 1 && are_apart(own, &bodies, self.visibility))
+        pair.iter().all(|own| own.basis.len() == 1 && are_apart(&own.hull, &bodies, self.visibility))
     }
 
     /// The largest `entry(task, [element of the row, other element])` of each row, rounded down: where things

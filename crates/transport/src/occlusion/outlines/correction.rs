@@ -1,14 +1,15 @@
 //! The constants of one occlusion correction.
 
 use radiosity_elements::Element;
-use radiosity_geom::{DVec3, separated};
+use radiosity_geom::{DVec3, Meridian, separated};
 use radiosity_kernel::contact::clip::Facet;
+use radiosity_kernel::irradiance::within_disk::SeenDisk;
 use radiosity_kernel::moments::Side;
 use radiosity_kernel::rules::zone::Zone;
 use radiosity_visibility::Visibility;
 use radiosity_visibility::bounding_ball::Ball;
 
-use crate::occlusion::beside_frusta::have_frusta;
+use crate::occlusion::beside_frusta::{disk_meridian, have_frusta};
 use crate::occlusion::outlines::edges::Edges;
 use crate::tolerances::LOOSEST_OF_OUTLINES;
 
@@ -24,6 +25,8 @@ pub(crate) struct Limit {
 /// The inner element as points of the outer one see it.
 pub(super) enum InnerShape<'a> {
     Flat(Facets),
+    /// A disk, or a ring.
+    Round(Rims),
     /// On the inside of the sphere that the outer element lies on too.
     OfSphere(Zone<'a>),
 }
@@ -36,6 +39,31 @@ pub(super) struct Facets {
     pub(super) balls: Vec<Ball>,
     /// Unit normal.
     pub(super) normal: DVec3,
+}
+
+/// A disk or a ring that carries a constant.
+pub(super) struct Rims {
+    pub(super) center: DVec3,
+    /// Two unit vectors in its plane, at a right angle.
+    axes: [DVec3; 2],
+    /// Radius of its hole, 0 of a disk, and of its rim.
+    radii: [f64; 2],
+}
+
+impl Rims {
+    fn of(Meridian { origin, axis, ends, normal: _ }: Meridian) -> Self {
+        let (first, second) = axis.any_orthonormal_pair();
+        let [a, b] = ends.map(|end| end.x);
+        Self { center: origin + ends[0].y * axis, axes: [first, second], radii: [a.min(b), a.max(b)] }
+    }
+
+    /// The disk within its rim, and that which its hole takes away, as a point sees them.
+    pub(super) fn seen_from(&self, x: DVec3) -> (SeenDisk, Option<SeenDisk>) {
+        let disk =
+            |radius: f64| SeenDisk { center: self.center - x, axes: self.axes.map(|axis| radius * axis) };
+        let [hole, rim] = self.radii;
+        (disk(rim), (hole > 0.0).then(|| disk(hole)))
+    }
 }
 
 /// The constants of one correction.
@@ -92,10 +120,7 @@ impl<'a> Correction<'a> {
                 let balls = polygons.iter().map(|polygon| Ball::around(polygon)).collect();
                 (polygons.concat(), InnerShape::Flat(Facets { polygons, balls, normal: plane.normal }))
             }
-            None => {
-                let zone = Zone::of(other, accuracy).expect("both elements lie on the inside of a sphere");
-                (other.hull.clone(), InnerShape::OfSphere(zone))
-            }
+            None => (other.hull.clone(), round_shape(other, visibility, accuracy)),
         };
         let has_frusta = have_frusta(blockers, visibility);
         let more_corners = if matches!(inner_shape, InnerShape::OfSphere(_)) { ON_SPHERES } else { 1 };
@@ -103,7 +128,7 @@ impl<'a> Correction<'a> {
             pair,
             visibility,
             ball: Ball::around(&corners),
-            edges: Edges::new(blockers, visibility, &corners, other.plane.map(|plane| plane.normal)),
+            edges: Edges::new(blockers, visibility, &corners, other.level.map(|level| level.normal)),
             side,
             outer,
             inner: other,
@@ -121,6 +146,13 @@ impl<'a> Correction<'a> {
             is_cut: is_cut(outer, blockers, visibility),
         }
     }
+}
+
+/// An inner element that is not flat.
+fn round_shape<'a>(element: &'a Element, visibility: &Visibility, accuracy: f64) -> InnerShape<'a> {
+    let zone = || Zone::of(element, accuracy).expect("both elements lie on the inside of a sphere");
+    let disk = disk_meridian(element, visibility).map(|meridian| InnerShape::Round(Rims::of(meridian)));
+    disk.unwrap_or_else(|| InnerShape::OfSphere(zone()))
 }
 
 /// Whether a blocker may pass through a curved element.

@@ -21,7 +21,7 @@ use radiosity_visibility::shadow_volume::{Corners, Coverage, cut_at_horizon};
 use radiosity_work::interruption::check_interrupt;
 
 use crate::occlusion::outlines::cell_cut::CellCut;
-use crate::occlusion::outlines::correction::{Correction, Facets, InnerShape};
+use crate::occlusion::outlines::correction::{Correction, Facets, InnerShape, Rims};
 use crate::tolerances::{AGREED_BY_LEVELS, MOST_HALVINGS_OF_INNER, MOST_HALVINGS_OF_OUTER};
 
 /// Most cells of one patch of the outer element; what is left then counts as error. The worst patches of the
@@ -252,6 +252,10 @@ impl<'a> CorrectionSums<'a> {
                 InnerShape::Flat(Facets { polygons, .. }) => {
                     polygons.iter().map(|polygon| irradiance(x.position, x.normal, polygon)).sum()
                 }
+                InnerShape::Round(rims) => {
+                    let (disk, hole) = rims.seen_from(x.position);
+                    disk.irradiance(x.normal) - hole.map_or(0.0, |hole| hole.irradiance(x.normal))
+                }
                 InnerShape::OfSphere(zone) => zone.kernel() * self.correction.inner.area,
             }
         };
@@ -307,6 +311,7 @@ impl<'a> CorrectionSums<'a> {
         let (any, everything) = match inner_shape {
             InnerShape::Flat(facets) if *has_frusta => self.hidden_by_each(facets, x, blockers, out),
             InnerShape::Flat(facets) => self.hidden_of_facets(facets, x, &shadows(), out),
+            InnerShape::Round(rims) => self.hidden_of_rims(rims, x, blockers, out),
             InnerShape::OfSphere(zone) => (self.hidden_of_sphere(zone, x, &shadows(), out), false),
         };
         self.dark &= everything;
@@ -338,9 +343,8 @@ impl<'a> CorrectionSums<'a> {
         blockers: &[usize],
         out: &mut [f64],
     ) -> (bool, bool) {
-        let Correction { visibility, constant, .. } = self.correction;
-        let shadow = |body: &usize| visibility.round_shadow(*body, x.position);
-        let shadows: Vec<RoundShadow> = blockers.iter().filter_map(shadow).collect();
+        let constant = self.correction.constant;
+        let shadows = self.round_shadows(x, blockers);
         let (mut any, mut everything) = (false, true);
         for polygon in &facets.polygons {
             let Some(polygon) = self.seen_from(x, polygon, facets.normal) else { continue };
@@ -357,6 +361,30 @@ impl<'a> CorrectionSums<'a> {
             everything &= all;
         }
         (any, everything)
+    }
+
+    /// Whether anything is hidden by round things apart of a disk or a ring that carries a constant, and whether
+    /// all is: through their outlines.
+    fn hidden_of_rims(&mut self, rims: &Rims, x: &Node, blockers: &[usize], out: &mut [f64]) -> (bool, bool) {
+        let (disk, hole) = rims.seen_from(x.position);
+        let (mut any, mut everything) = (false, false);
+        for shadow in self.round_shadows(x, blockers) {
+            let found = disk.hidden(x.normal, &shadow);
+            let beside = hole.map(|hole| hole.hidden(x.normal, &shadow));
+            let is_beside = beside.is_some_and(|beside| beside.irradiance >= found.irradiance);
+            any |= found.coverage != Coverage::Clear && !is_beside;
+            everything |= found.coverage == Coverage::Hidden;
+            let through_hole = beside.map_or(0.0, |beside| beside.irradiance);
+            out[0] += self.correction.constant * (found.irradiance - through_hole).max(0.0);
+            self.samples += 1;
+        }
+        (any, everything)
+    }
+
+    /// The shadows of round things from a point.
+    fn round_shadows(&self, x: &Node, blockers: &[usize]) -> Vec<RoundShadow<'a>> {
+        let Correction { visibility, .. } = self.correction;
+        blockers.iter().filter_map(|body| visibility.round_shadow(*body, x.position)).collect()
     }
 
     /// Whether anything is hidden, and whether all is that the point would see.

@@ -23,13 +23,13 @@ use crate::tolerances::FINE_SHADOWS;
 /// would do; with a smaller one cells are halved along the side.
 const STANDING: f64 = 1e-2;
 
-/// The two sides of a pair of which at least one is flat, or both lie on the inside of one sphere.
+/// The two sides of a pair of which at least one is flat or a disk, or both lie on the inside of one sphere.
 pub(super) struct Sides {
     /// The outer element of the pair.
     pub(super) side: Side,
     /// The outer element.
     pub(super) outer: Vec<Patch>,
-    /// The inner one where it is flat; empty on a sphere.
+    /// The inner one where it is flat; none of a disk or on a sphere.
     pub(super) inner: Vec<Facet>,
 }
 
@@ -42,7 +42,10 @@ impl Sides {
         accuracy: f64,
     ) -> Self {
         match pair.map(|element| element.plane.is_none()) {
-            [true, true] => Self { side: Side::Receiver, outer: sectors(pair[0]), inner: Vec::new() },
+            [true, true] => match outer_sides(pair, blockers, visibility) {
+                [false, true] => Self { side: Side::Emitter, outer: sectors(pair[1]), inner: Vec::new() },
+                _ => Self { side: Side::Receiver, outer: sectors(pair[0]), inner: Vec::new() },
+            },
             [true, _] => Self { side: Side::Receiver, outer: sectors(pair[0]), inner: facets(pair[1]) },
             [_, true] => Self { side: Side::Emitter, outer: sectors(pair[1]), inner: facets(pair[0]) },
             _ => Self::of_flat(pair, blockers, visibility, accuracy),
