@@ -27,8 +27,8 @@ use smallvec::SmallVec;
 use crate::irradiance::outline::{Arc, Piece, within as irradiance_within};
 use crate::irradiance::within::{MOVED, MOVES, Window, Within, by_kites, within};
 
-/// Corners of the polygon that stands for a disk where its border is not closed: it misses 4e-4 of the disk.
-const CORNERS: usize = 128;
+/// Corners of the polygon that stands for a disk where its border is not closed: it misses 4e-7 of the disk.
+const CORNERS: usize = 4096;
 
 /// A disk, relative to the point that sees it.
 #[derive(Clone, Copy, Debug)]
