@@ -37,7 +37,8 @@ use super::roles::{Role, Roles};
 /// Time that pairs of elements of the cut may always take, by counts (s). Chosen: small enclosures are cut as a whole.
 const LEAST: f64 = 2.5;
 
-/// Time that they may take over that of the balance. Chosen: no balance takes much longer for its error.
+/// Time that they may take over that of a balance whose pairs rules carry. Chosen: no balance takes much longer for its
+/// error, and where rays carry them, what they leave is told anyway.
 const OF_A_RUN: f64 = 2.5;
 
 /// Accuracy of the transfers between elements that are cut, over that of the balance. Chosen: they take half of the
@@ -150,7 +151,10 @@ impl Time {
             elements: count,
             terms: terms(order),
             near: (seconds_of_samples(outcome.samples as f64) - far).max(0.0),
-            most: LEAST.max(OF_A_RUN * outcome.seconds_by_counts()),
+            most: match outcome.sampling {
+                Some(_) => LEAST,
+                None => LEAST.max(OF_A_RUN * outcome.seconds_by_counts()),
+            },
         }
     }
 

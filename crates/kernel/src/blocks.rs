@@ -6,6 +6,7 @@
 
 pub mod block;
 mod block_list;
+pub mod bounded_rows;
 pub mod held_rows;
 mod lanes;
 pub(crate) mod worst_error;
