@@ -236,7 +236,7 @@ impl Blocks {
         if self.held.ranks().are_alone() { self } else { self.gathered().into_owned() }
     }
 
-    /// Those of these blocks that are in the rows of this rank.
+    /// The blocks of a list that are in the rows of this rank.
     fn rows<'a>(
         &'a self,
         list: impl Iterator<Item = Stored>,

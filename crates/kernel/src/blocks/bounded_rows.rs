@@ -16,10 +16,10 @@ use crate::blocks::Blocks;
 /// Most turns. Each halves about what is too much.
 const TURNS: usize = 30;
 
-/// What rows may be above 1 where the turns end. Chosen: the last step then takes hardly more than is too much.
+/// Excess of rows over 1 at which the turns end. Chosen: the last step then takes hardly more than is too much.
 const SETTLED: f64 = 1e-4;
 
-/// What rows may be above 1 by rounding.
+/// Excess of rows over 1 that is rounding.
 const ROUNDING: f64 = 1e-14;
 
 /// Makes rows of blocks between constants sum to 1 at the most, `ones` the coefficients of the constant 1. Returns by
