@@ -40,6 +40,10 @@ const LEAST: f64 = 2.5;
 /// Time that they may take over that of the balance. Chosen: no balance takes much longer for its error.
 const OF_A_RUN: f64 = 2.5;
 
+/// Longest time that they may take where rays carry them, by counts (s). Chosen: a furnished room of ten thousand sides
+/// would take its minutes twice, and what rays leave in it is more than even fluxes miss.
+const LONGEST_BY_RAYS: f64 = 30.0;
+
 /// Accuracy of the transfers between elements that are cut, over that of the balance. Chosen: they take half of the
 /// time, and differences of smooth enclosures are still those of their ninth digit.
 pub(super) const COARSER: f64 = 3.0;
@@ -146,11 +150,12 @@ impl Time {
         let count = elements.list().len() as f64;
         let terms = |order: usize| 0.5 * ((order + 1) as f64).powi(4);
         let far = seconds_of_samples(count * count * terms(elements.discretization().order));
+        let longest = if outcome.sampling.is_some() { LONGEST_BY_RAYS } else { f64::INFINITY };
         Self {
             elements: count,
             terms: terms(order),
             near: (seconds_of_samples(outcome.samples as f64) - far).max(0.0),
-            most: LEAST.max(OF_A_RUN * outcome.seconds_by_counts()),
+            most: LEAST.max(OF_A_RUN * outcome.seconds_by_counts()).min(longest),
         }
     }
 

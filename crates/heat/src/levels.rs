@@ -4,10 +4,12 @@
 //! may be added to σ T⁴: there is no balance, or there are many. Where all are adiabatic, nothing flows at any
 //! level, and none of the others takes part: the flows of the rest are as without them.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 
+use radiosity_kernel::PlacedBlock;
 use radiosity_scene::Scene;
 use radiosity_solve::{Model, Options};
+use radiosity_work::ranks::Ranks;
 
 use super::error::HeatError;
 use super::figures::{areas, received};
@@ -22,8 +24,8 @@ const OPEN: f64 = 10.0;
 #[derive(Debug)]
 pub(super) struct Exchange {
     surfaces: Vec<Exchanged>,
-    /// Pairs of surfaces that see each other.
-    seen: BTreeSet<[usize; 2]>,
+    /// Surfaces that exchange heat with one another.
+    joined: Joined,
     /// Largest error of transfers over what is exchanged.
     error: f64,
 }
@@ -43,9 +45,12 @@ impl Exchange {
         let received = received(elements, &model.blocks().apply(&elements.constant()));
         let surfaces = areas(elements).into_iter().zip(received);
         let surfaces = surfaces.map(|(area, received)| Exchanged { area, received }).collect();
-        let stored = model.blocks().first_entries().into_iter();
-        let seen = stored.map(|first| [list[first.row].surface, list[first.column].surface]).collect();
-        Self { surfaces, seen, error: model.blocks().statistics.accuracy_reached }
+        let mut joined = Joined::none(elements.surfaces());
+        for PlacedBlock { row, column, .. } in model.blocks().iter() {
+            joined.join([row, column].map(|element| list[element].surface));
+        }
+        let joined = joined.of_all(model.blocks().held().ranks());
+        Self { surfaces, joined, error: model.blocks().statistics.accuracy_reached }
     }
 
     /// Makes surfaces idle that neither gain nor lose heat and whose part has neither a temperature nor an opening.
@@ -83,13 +88,49 @@ impl Exchange {
 
     /// For each surface the first surface of its part: surfaces that exchange heat, and sides of one shield.
     fn parts(&self, roles: &Roles) -> Vec<usize> {
-        let pairs = self.seen.iter().copied().chain(roles.shields.iter().map(|shield| shield.sides));
-        let mut parents: Vec<usize> = (0..self.surfaces.len()).collect();
-        for pair in pairs {
-            let [a, b] = pair.map(|surface| root(&mut parents, surface));
-            parents[a.max(b)] = a.min(b);
+        let mut joined = self.joined.clone();
+        roles.shields.iter().for_each(|shield| joined.join(shield.sides));
+        joined.firsts()
+    }
+}
+
+/// Surfaces in parts, each a tree whose root is its first surface (R. E. Tarjan, *J. ACM* 22 (1975) 215-225).
+#[derive(Clone, Debug)]
+struct Joined {
+    parents: Vec<usize>,
+}
+
+impl Joined {
+    /// So many surfaces, each a part of its own.
+    fn none(surfaces: usize) -> Self {
+        Self { parents: (0..surfaces).collect() }
+    }
+
+    /// Makes the parts of two surfaces one.
+    fn join(&mut self, pair: [usize; 2]) {
+        let [a, b] = pair.map(|surface| self.root(surface));
+        self.parents[a.max(b)] = a.min(b);
+    }
+
+    /// The parts that the pairs of all ranks make.
+    fn of_all(mut self, ranks: &Ranks) -> Self {
+        for own in ranks.all(self.firsts()) {
+            own.into_iter().enumerate().for_each(|(surface, first)| self.join([surface, first]));
         }
-        (0..self.surfaces.len()).map(|surface| root(&mut parents, surface)).collect()
+        self
+    }
+
+    /// The first surface of the part of each.
+    fn firsts(&mut self) -> Vec<usize> {
+        (0..self.parents.len()).map(|surface| self.root(surface)).collect()
+    }
+
+    fn root(&mut self, mut surface: usize) -> usize {
+        while self.parents[surface] != surface {
+            self.parents[surface] = self.parents[self.parents[surface]];
+            surface = self.parents[surface];
+        }
+        surface
     }
 }
 
@@ -102,12 +143,4 @@ struct Part {
     has_temperature: bool,
     /// Whether a temperature or a flux other than 0 is given.
     is_given: bool,
-}
-
-fn root(parents: &mut [usize], mut surface: usize) -> usize {
-    while parents[surface] != surface {
-        parents[surface] = parents[parents[surface]];
-        surface = parents[surface];
-    }
-    surface
 }

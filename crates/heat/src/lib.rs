@@ -66,7 +66,7 @@ pub use conductances::Conductances;
 use cut::Cut;
 pub use error::HeatError;
 pub use figures::SurfaceHeat;
-use figures::{ErrorGrowth, add_errors, add_errors_of_blocks, difference, figures};
+use figures::{ErrorGrowth, add_errors, add_errors_of_blocks, add_errors_of_irradiance, difference, figures};
 use finer::Finer;
 pub use heat_model::HeatModel;
 use noise::Noise;
@@ -98,6 +98,8 @@ pub struct Heat {
     /// By how much sums of view factors missed 1 before they were made to be 1; None where the scene is not
     /// known to be closed.
     pub moved: Option<f64>,
+    /// By how much the row sums of each surface were above 1 before they were bounded; none where they were not.
+    excess: Vec<f64>,
     /// Whether all exchanges are exact.
     is_exact: bool,
     /// Whether elements that are cut once more told its errors; without memory or time for them these are those of
@@ -182,6 +184,7 @@ impl Heat {
             without_level: named(scene, |surface, _| !surfaces[surface].has_level()),
             surfaces,
             moved: transfers.closure().moved,
+            excess: transfers.closure().excess.clone(),
             is_exact: transfers.closure().is_exact,
             is_cut: false,
             checked: None,
@@ -207,6 +210,9 @@ impl Heat {
         let reached = if self.is_exact { tolerance } else { reached };
         if let Some(noise) = Noise::of(&self.outcome) {
             noise.add_to(&mut self.surfaces);
+        }
+        for (own, excess) in self.surfaces.iter_mut().zip(&self.excess) {
+            add_errors_of_irradiance(own, excess * own.irradiance.abs());
         }
         let finer = finer.and_then(|finer| Some((finer.factor(case, &self.outcome)?, finer)));
         let Some((factor, finer)) = finer else {

@@ -5,6 +5,8 @@
 //! all blocks, and then completed by those of the others ([`HeldRows`]).
 
 pub mod block;
+mod block_list;
+pub mod bounded_rows;
 pub mod held_rows;
 mod lanes;
 pub(crate) mod worst_error;
@@ -24,14 +26,11 @@ use radiosity_work::ranks::Ranks;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
+use block_list::{BlockList, Run, Stored};
 use held_rows::HeldRows;
 use lanes::Lanes;
 use placed_block::PlacedBlock;
 use statistics::BlockStatistics;
-
-/// Chunks of blocks that are multiplied in parallel: enough for some cores, few enough for the sums of their
-/// results.
-const CHUNKS: usize = 32;
 
 /// The transfer matrix G by blocks: one triangle where G is symmetric, zero blocks left out.
 #[derive(Clone, Debug)]
@@ -39,10 +38,12 @@ pub struct Blocks {
     starts: Vec<usize>,
     /// The part of this rank.
     held: HeldRows,
-    stored: List,
+    stored: BlockList,
     /// Blocks of which only the first line and the first column are not zero.
-    crosses: List,
+    crosses: BlockList,
     symmetric: bool,
+    /// Whether all elements carry constants.
+    are_constants: bool,
     /// The values of the blocks that this rank holds, one after the other.
     values: Vec<f64>,
     /// Numbers that all ranks store, each block counted once.
@@ -53,17 +54,6 @@ pub struct Blocks {
     pub integrated: Option<Vec<f64>>,
     /// Their counts, costs and errors.
     pub statistics: BlockStatistics,
-}
-
-/// The block of receiver `row` and emitter `column`, row-major from `start` on; `row ≤ column` where G is
-/// symmetric.
-#[derive(Clone, Copy, Debug)]
-struct Stored {
-    row: u32,
-    column: u32,
-    start: usize,
-    /// Place of the block among those of all ranks.
-    place: usize,
 }
 
 /// The entry of a block between constants.
@@ -92,24 +82,6 @@ fn in_order(parts: Vec<Vec<Row>>) -> Vec<Row> {
     all
 }
 
-/// Blocks of one kind.
-#[derive(Clone, Debug, Default)]
-struct List {
-    /// Blocks that this rank holds, by places ascending.
-    own: Vec<Stored>,
-    /// Number of blocks of all ranks.
-    all: usize,
-}
-
-impl List {
-    /// The blocks of this rank in [`CHUNKS`] lists, cut where those of all ranks would be.
-    fn chunks(&self) -> Vec<&[Stored]> {
-        let length = self.all.div_ceil(CHUNKS).max(1);
-        let chunk = |stored: &Stored| stored.place / length;
-        self.own.chunk_by(|a, b| chunk(a) == chunk(b)).collect()
-    }
-}
-
 impl Blocks {
     /// No blocks yet, to be held by these ranks. `starts` are the first coefficients of the elements, and the
     /// dimension at the end. If G is `symmetric`, each block also stands for its transpose.
@@ -117,9 +89,10 @@ impl Blocks {
         Self {
             complete: vec![true; starts.len() - 1],
             held: HeldRows::of(ranks, &starts),
+            are_constants: starts.iter().copied().eq(0..starts.len()),
             starts,
-            stored: List::default(),
-            crosses: List::default(),
+            stored: BlockList::default(),
+            crosses: BlockList::default(),
             symmetric,
             values: Vec::new(),
             numbers: 0,
@@ -147,7 +120,7 @@ impl Blocks {
 
     fn keep(&mut self, row: usize, column: usize, values: &[f64]) {
         let (place, start) = (self.stored.all, self.values.len());
-        self.stored.own.push(Stored { row: row as u32, column: column as u32, start, place });
+        self.stored.push(Stored { row: row as u32, column: column as u32, start, place }, values.len());
         self.values.extend_from_slice(values);
         self.pass(row, column);
     }
@@ -207,7 +180,7 @@ impl Blocks {
     pub fn push_cross(&mut self, row: usize, column: usize, values: &[f64]) {
         if self.holds(row, column) {
             let (place, start) = (self.crosses.all, self.values.len());
-            self.crosses.own.push(Stored { row: row as u32, column: column as u32, start, place });
+            self.crosses.push(Stored { row: row as u32, column: column as u32, start, place }, values.len());
             self.values.extend_from_slice(values);
         }
         self.pass_cross(row, column);
@@ -221,18 +194,18 @@ impl Blocks {
 
     /// Appends all blocks of `others`, which are of the same elements.
     pub fn append(&mut self, others: &Self) {
-        let copied = |Stored { row, column, start, place }: &Stored, list: &List, values: usize| Stored {
-            row: *row,
-            column: *column,
-            start: values + start,
-            place: list.all + place,
-        };
-        let values = self.values.len();
-        for (own, more) in [(&mut self.stored, &others.stored), (&mut self.crosses, &others.crosses)] {
-            let copies: Vec<Stored> = more.own.iter().map(|stored| copied(stored, own, values)).collect();
-            own.own.extend(copies);
-            own.all += more.all;
+        let before = self.values.len();
+        let (whole, crosses) = (self.stored.all, self.crosses.all);
+        for block in others.blocks() {
+            let values = others.entries(&block).len();
+            self.stored.push(block.after(before, whole), values);
         }
+        for cross in others.cross_blocks() {
+            let values = others.line_and_rest(&cross).len();
+            self.crosses.push(cross.after(before, crosses), values);
+        }
+        self.stored.all += others.stored.all;
+        self.crosses.all += others.crosses.all;
         self.values.extend_from_slice(&others.values);
         self.numbers += others.numbers;
     }
@@ -243,8 +216,8 @@ impl Blocks {
         if ranks.are_alone() {
             return Cow::Borrowed(self);
         }
-        let stored = in_order(ranks.all(self.rows(&self.stored, Self::entries)));
-        let crosses = in_order(ranks.all(self.rows(&self.crosses, Self::line_and_rest)));
+        let stored = in_order(ranks.all(self.rows(self.blocks(), Self::entries)));
+        let crosses = in_order(ranks.all(self.rows(self.cross_blocks(), Self::line_and_rest)));
         let mut all = Self {
             complete: self.complete.clone(),
             integrated: self.integrated.clone(),
@@ -258,13 +231,22 @@ impl Blocks {
         Cow::Owned(all)
     }
 
-    /// The blocks of a list in the rows of this rank.
-    fn rows<'a>(&'a self, list: &List, values: impl Fn(&'a Self, &Stored) -> &'a [f64]) -> Vec<Row> {
-        let own = list.own.iter().filter(|stored| self.held.has(stored.row as usize));
-        let row = |stored: &Stored| Row {
+    /// All blocks, held by every rank, in place of these.
+    pub fn into_gathered(self) -> Self {
+        if self.held.ranks().are_alone() { self } else { self.gathered().into_owned() }
+    }
+
+    /// The blocks of a list that are in the rows of this rank.
+    fn rows<'a>(
+        &'a self,
+        list: impl Iterator<Item = Stored>,
+        values: impl Fn(&'a Self, &Stored) -> &'a [f64],
+    ) -> Vec<Row> {
+        let own = list.filter(|stored| self.held.has(stored.row as usize));
+        let row = |stored: Stored| Row {
             place: stored.place,
             pair: [stored.row as usize, stored.column as usize],
-            values: values(self, stored).to_vec(),
+            values: values(self, &stored).to_vec(),
         };
         own.map(row).collect()
     }
@@ -276,7 +258,7 @@ impl Blocks {
             return self.apply_in_chunks(x);
         }
         let mut own = vec![0.0; self.held.coefficients().len()];
-        self.stored.own.iter().for_each(|block| self.add(block, x, &mut own));
+        self.stored.runs().for_each(|run| self.add_run(run, x, &mut own));
         self.completed(&own)
     }
 
@@ -284,8 +266,11 @@ impl Blocks {
     /// change no bit.
     pub fn apply_in_chunks(&self, x: &[f64]) -> Vec<f64> {
         let mut own = vec![0.0; self.held.coefficients().len()];
-        self.add_chunks(&self.stored, &|block, y| self.add(block, x, y), &mut own);
-        self.add_chunks(&self.crosses, &|block, y| self.add_cross(block, x, y), &mut own);
+        self.add_chunks(self.stored.chunks(self.size()), &|run, y| self.add_run(run, x, y), &mut own);
+        let add = |run: Run<'_>, y: &mut [f64]| {
+            run.blocks(self.cross_size()).for_each(|cross| self.add_cross(&cross, x, y));
+        };
+        self.add_chunks(self.crosses.chunks(self.cross_size()), &add, &mut own);
         self.completed(&own)
     }
 
@@ -308,9 +293,11 @@ impl Blocks {
     fn apply_to_lanes(&self, x: &Lanes) -> Lanes {
         check_interrupt();
         let mut own = Lanes::zero(self.held.coefficients().len());
-        self.stored.own.iter().for_each(|block| self.add_to_lanes(block, self.entries(block), x, &mut own));
-        for cross in &self.crosses.own {
-            self.add_to_lanes(cross, &self.filled(cross), x, &mut own);
+        for block in self.blocks() {
+            self.add_to_lanes(&block, self.entries(&block), x, &mut own);
+        }
+        for cross in self.cross_blocks() {
+            self.add_to_lanes(&cross, &self.filled(&cross), x, &mut own);
         }
         own
     }
@@ -335,19 +322,46 @@ impl Blocks {
         all
     }
 
-    /// Adds to `sum`, the rows of this rank, what `add` makes of all blocks of a list, chunk by chunk in
-    /// parallel.
-    fn add_chunks(&self, list: &List, add: &(dyn Fn(&Stored, &mut [f64]) + Sync), sum: &mut [f64]) {
+    /// Adds to `sum`, the rows of this rank, what `add` makes of all runs, chunk by chunk in parallel.
+    fn add_chunks(
+        &self,
+        chunks: Vec<Vec<Run<'_>>>,
+        add: &(dyn Fn(Run<'_>, &mut [f64]) + Sync),
+        sum: &mut [f64],
+    ) {
         let length = sum.len();
-        let parts = list.chunks().into_par_iter().map(|blocks| {
+        let parts = chunks.into_par_iter().map(|runs| {
             check_interrupt();
             let mut y = vec![0.0; length];
-            blocks.iter().for_each(|block| add(block, &mut y));
+            runs.into_iter().for_each(|run| add(run, &mut y));
             y
         });
         for part in parts.collect::<Vec<_>>() {
             sum.iter_mut().zip(part).for_each(|(sum, y)| *sum += y);
         }
+    }
+
+    /// As [`Blocks::add`] for all blocks of a run.
+    fn add_run(&self, run: Run<'_>, x: &[f64], own: &mut [f64]) {
+        match self.are_constants {
+            true => self.add_constants(run, x, own),
+            false => run.blocks(self.size()).for_each(|block| self.add(&block, x, own)),
+        }
+    }
+
+    /// As [`Blocks::add`] for a run of blocks between constants.
+    fn add_constants(&self, run: Run<'_>, x: &[f64], own: &mut [f64]) {
+        let (row, first) = (run.row as usize, self.held.coefficients().start);
+        let mut sum = 0.0;
+        for (column, value) in run.columns.iter().zip(&self.values[run.start..]) {
+            let column = *column as usize;
+            sum += value * x[column];
+            if self.symmetric && column != row {
+                // Columns of other ranks wrap around.
+                own.get_mut(column.wrapping_sub(first)).into_iter().for_each(|y| *y += value * x[row]);
+            }
+        }
+        own.get_mut(row.wrapping_sub(first)).into_iter().for_each(|y| *y += sum);
     }
 
     /// As [`Blocks::add`] for a block stored as a cross, whose row comes before its column.
@@ -406,12 +420,25 @@ impl Blocks {
     /// The nonzero blocks that this rank holds. Where G is symmetric, receiver ≤ emitter and each block
     /// stands for its transpose too.
     pub fn iter(&self) -> impl Iterator<Item = PlacedBlock<'_>> {
-        let cross = |cross: &Stored| PlacedBlock {
+        let cross = |cross: Stored| PlacedBlock {
             row: cross.row as usize,
             column: cross.column as usize,
-            values: Cow::Owned(self.filled(cross)),
+            values: Cow::Owned(self.filled(&cross)),
         };
-        self.full().chain(self.crosses.own.iter().map(cross))
+        self.full().chain(self.cross_blocks().map(cross))
+    }
+
+    /// Changes the values of the blocks that this rank holds and that are stored whole; `change` gets the receiver and
+    /// the emitter of each.
+    pub fn change(&mut self, mut change: impl FnMut(usize, usize, &mut [f64])) {
+        let Self { stored, starts, values, .. } = self;
+        let size = |row: usize, column: usize| {
+            (starts[row + 1] - starts[row]) * (starts[column + 1] - starts[column])
+        };
+        for Stored { row, column, start, .. } in stored.runs().flat_map(|run| run.blocks(size)) {
+            let (row, column) = (row as usize, column as usize);
+            change(row, column, &mut values[start..][..size(row, column)]);
+        }
     }
 
     /// The entries of a block that is stored as a cross, row-major.
@@ -428,20 +455,18 @@ impl Blocks {
 
     /// The first entries of all blocks that differ from zero.
     pub fn first_entries(&self) -> Vec<FirstEntry> {
-        let own = |list: &List| -> Vec<(usize, FirstEntry)> {
-            let own = list.own.iter().filter(|stored| self.held.has(stored.row as usize));
-            let first = |Stored { row, column, start, place }: &Stored| {
-                let (row, column) = (*row as usize, *column as usize);
-                (*place, FirstEntry { row, column, value: self.values[*start] })
-            };
-            own.map(first).collect()
+        let first = |Stored { row, column, start, place }: Stored| {
+            let (row, column) = (row as usize, column as usize);
+            (place, FirstEntry { row, column, value: self.values[start] })
         };
-        let in_order = |list: &List| {
-            let mut all = self.held.ranks().all(own(list)).concat();
+        let is_own = |stored: &Stored| self.held.has(stored.row as usize);
+        let in_order = |own: Vec<(usize, FirstEntry)>| {
+            let mut all = self.held.ranks().all(own).concat();
             all.sort_by_key(|(place, _)| *place);
             all
         };
-        let [stored, crosses] = [&self.stored, &self.crosses].map(in_order);
+        let stored = in_order(self.blocks().filter(is_own).map(first).collect());
+        let crosses = in_order(self.cross_blocks().filter(is_own).map(first).collect());
         stored.into_iter().chain(crosses).map(|(_, first)| first).collect()
     }
 
@@ -454,11 +479,31 @@ impl Blocks {
 
     /// The blocks that are stored whole, as [`Blocks::iter`].
     fn full(&self) -> impl Iterator<Item = PlacedBlock<'_>> {
-        self.stored.own.iter().map(|stored| PlacedBlock {
+        self.blocks().map(|stored| PlacedBlock {
             row: stored.row as usize,
             column: stored.column as usize,
-            values: Cow::Borrowed(self.entries(stored)),
+            values: Cow::Borrowed(self.entries(&stored)),
         })
+    }
+
+    /// The blocks that this rank holds and that are stored whole.
+    fn blocks(&self) -> impl Iterator<Item = Stored> {
+        self.stored.runs().flat_map(|run| run.blocks(self.size()))
+    }
+
+    /// The blocks that this rank holds and that are stored as crosses.
+    fn cross_blocks(&self) -> impl Iterator<Item = Stored> {
+        self.crosses.runs().flat_map(|run| run.blocks(self.cross_size()))
+    }
+
+    /// Numbers of a block that is stored whole.
+    fn size(&self) -> impl Fn(usize, usize) -> usize {
+        |row, column| self.range(row).len() * self.range(column).len()
+    }
+
+    /// Numbers of a block that is stored as a cross.
+    fn cross_size(&self) -> impl Fn(usize, usize) -> usize {
+        |row, column| self.range(row).len() + self.range(column).len() - 1
     }
 
     /// The entries of a block that is stored whole.

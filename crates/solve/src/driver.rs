@@ -44,6 +44,7 @@ mod options;
 pub mod cost;
 mod choose_transport;
 mod forecast;
+mod pair_rays;
 mod memory_need;
 mod decisions;
 mod emission;

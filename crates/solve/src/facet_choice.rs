@@ -21,9 +21,14 @@ pub(crate) struct PairBytes {
 }
 
 impl PairBytes {
-    fn suffice(&self, elements: usize) -> bool {
-        let needed = self.each * 0.5 * (elements as f64).powi(2);
-        needed <= self.allowed.map_or(self.usually_most, |bytes| bytes as f64)
+    /// Whether they suffice for so many elements.
+    pub(crate) fn suffice(&self, elements: usize) -> bool {
+        self.needed(elements) <= self.allowed.map_or(self.usually_most, |bytes| bytes as f64)
+    }
+
+    /// Bytes of all pairs of so many elements.
+    pub(crate) fn needed(&self, elements: usize) -> f64 {
+        self.each * 0.5 * (elements as f64).powi(2)
     }
 }
 

@@ -22,18 +22,19 @@ use radiosity_kernel::{Blocks, PlacedBlock};
 use radiosity_solvers::method::Method;
 use radiosity_solvers::{Operator, Partition, Settings};
 use radiosity_work::interruption::check_interrupt;
-use radiosity_work::ranks::Ranks;
 
 use super::pairs::Pairs;
 
 /// Most corrections one after another, each of what rounding left of the one before, so that they gain little
 /// soon.
 const TURNS: usize = 4;
-/// Largest deficit that is left alone: some five roundings.
-const SETTLED: f64 = 1e-15;
+/// Largest deficit that is left alone, over the root of the number of elements: two roundings of as many terms.
+const SETTLED: f64 = 4e-16;
 
-/// Residual over right side at which conjugate gradients end: what is left is taken up by the next turn.
+/// Residual over right side at which conjugate gradients end, and that over the deficit that is left alone: what is
+/// left is taken up by the next turn.
 const SOLVED: f64 = 1e-12;
+const LEFT: f64 = 0.1;
 
 /// Deficit c − G c of the rows: a number for each coefficient (scene length).
 #[derive(Debug)]
@@ -62,121 +63,139 @@ impl Deficit {
 }
 
 /// The blocks with rows that sum to 1 where these are known; every rank has all of them.
-pub(super) fn corrected(elements: &Elements, blocks: &Blocks, pairs: &Pairs, rows: &[bool]) -> Blocks {
-    let blocks = &*blocks.gathered();
+pub(super) fn corrected(elements: &Elements, blocks: Blocks, pairs: &Pairs, rows: &[bool]) -> Blocks {
+    let mut blocks = blocks.into_gathered();
     let integrated = blocks.apply(&elements.constant());
-    let mut now = copied(elements, blocks, |_, _, values| values.to_vec());
+    let settled = SETTLED * (elements.list().len() as f64).sqrt();
     for _ in 0..TURNS {
-        let deficit = Deficit::of(elements, &now, rows);
-        if deficit.largest(elements) <= SETTLED {
+        let deficit = Deficit::of(elements, &blocks, rows);
+        let largest = deficit.largest(elements);
+        if largest <= settled {
             break;
         }
-        now = turn(elements, &now, pairs, &deficit);
+        correct(elements, &mut blocks, pairs, &deficit, SOLVED.max(LEFT * settled / largest));
     }
-    now.integrated = Some(integrated);
-    now
+    blocks.integrated = Some(integrated);
+    blocks
 }
 
-/// The blocks after one correction.
-fn turn(elements: &Elements, blocks: &Blocks, pairs: &Pairs, Deficit(deficit): &Deficit) -> Blocks {
+/// Corrects blocks once, up to this residual over the deficit.
+fn correct(
+    elements: &Elements,
+    blocks: &mut Blocks,
+    pairs: &Pairs,
+    Deficit(deficit): &Deficit,
+    tolerance: f64,
+) {
     let (list, starts) = (elements.list(), elements.starts());
-    let weights = Weights::of(elements, blocks, pairs);
     let right: Vec<f64> =
         list.iter().zip(&starts).map(|(element, start)| element.constant[0] * deficit[*start]).collect();
-    let along = weights.solve(&right);
+    let (along, sums) = {
+        let weights = Weights::of(elements, blocks, pairs);
+        (weights.solve(&right, tolerance), weights.sums)
+    };
     // The part of λ across c, for the coefficients k > 0 of element i.
-    let across = |i: usize, k: usize| match weights.sums[i] {
+    let across = |i: usize, k: usize| match sums[i] {
         0.0 => 0.0,
         sum => deficit[starts[i] + k] * list[i].area / sum,
     };
-    copied(elements, blocks, |i, j, values| {
-        let mut values = values.to_vec();
-        if !pairs.is_exact(i, j) {
-            let [one, other] = [list[i].constant[0], list[j].constant[0]];
-            let weight = values[0] * values[0];
-            let columns = list[j].constant.len();
-            values[0] += weight * one * other * (along[i] + along[j]);
-            for (k, value) in values.iter_mut().step_by(columns).enumerate().skip(1) {
-                *value += weight * other * across(i, k);
-            }
-            for (l, value) in values[..columns].iter_mut().enumerate().skip(1) {
-                *value += weight * one * across(j, l);
-            }
+    blocks.change(|i, j, values| {
+        if pairs.is_exact(i, j) {
+            return;
         }
-        values
-    })
+        let [one, other] = [list[i].constant[0], list[j].constant[0]];
+        let weight = values[0] * values[0];
+        let columns = list[j].constant.len();
+        values[0] += weight * one * other * (along[i] + along[j]);
+        for (k, value) in values.iter_mut().step_by(columns).enumerate().skip(1) {
+            *value += weight * other * across(i, k);
+        }
+        for (l, value) in values[..columns].iter_mut().enumerate().skip(1) {
+            *value += weight * one * across(j, l);
+        }
+    });
 }
 
-/// Blocks with other values, held by every rank, their counts and errors kept.
-fn copied(elements: &Elements, blocks: &Blocks, values: impl Fn(usize, usize, &[f64]) -> Vec<f64>) -> Blocks {
-    let mut copy = Blocks::empty(elements.starts(), true, Ranks::alone());
-    for PlacedBlock { row, column, values: own } in blocks.iter() {
-        copy.push(row, column, &values(row, column, &own));
-    }
-    let open = (0..elements.list().len()).filter(|element| !blocks.is_complete(*element));
-    open.for_each(|element| copy.leave_open(element));
-    copy.statistics = blocks.statistics.clone();
-    copy
-}
-
-/// The matrix Σ_j W_ij (x_i + x_j), by rows; rows without a pair that may be corrected are those of the unit
-/// matrix.
-struct Weights {
+/// The matrix Σ_j W_ij (x_i + x_j); rows without a pair that may be corrected are those of the unit matrix.
+struct Weights<'a> {
+    elements: &'a Elements,
+    blocks: &'a Blocks,
+    pairs: &'a Pairs,
     partition: Partition,
     diagonal: Vec<f64>,
-    /// For each row i its (j, W_ij), j ≠ i.
-    rows: Vec<Vec<(usize, f64)>>,
     /// Σ_j W_ij of each row i.
     sums: Vec<f64>,
 }
 
-impl Weights {
-    fn of(elements: &Elements, blocks: &Blocks, pairs: &Pairs) -> Self {
-        let list = elements.list();
-        let mut rows = vec![Vec::new(); list.len()];
-        let (mut sums, mut diagonal) = (vec![0.0; list.len()], vec![0.0; list.len()]);
-        let open = blocks.iter().filter(|block| !pairs.is_exact(block.row, block.column));
-        for PlacedBlock { row: i, column: j, values } in open {
-            let weight = list[i].area * values[0] * values[0] * list[j].area;
-            for (own, other) in [(i, j), (j, i)] {
+impl<'a> Weights<'a> {
+    fn of(elements: &'a Elements, blocks: &'a Blocks, pairs: &'a Pairs) -> Self {
+        let count = elements.list().len();
+        let mut weights = Self {
+            elements,
+            blocks,
+            pairs,
+            partition: Partition::points(count),
+            diagonal: Vec::new(),
+            sums: Vec::new(),
+        };
+        let (mut sums, mut diagonal) = (vec![0.0; count], vec![0.0; count]);
+        for (i, j, weight) in weights.all() {
+            for own in [i, j] {
                 diagonal[own] += weight;
-                if i != j {
-                    sums[own] += weight;
-                    rows[own].push((other, weight));
-                }
-            }
-            if i == j {
-                sums[i] += weight;
+                sums[own] += if i != j { weight } else { 0.5 * weight };
             }
         }
         diagonal.iter_mut().filter(|own| **own == 0.0).for_each(|own| *own = 1.0);
-        Self { partition: Partition::points(list.len()), diagonal, rows, sums }
+        (weights.sums, weights.diagonal) = (sums, diagonal);
+        weights
     }
 
-    /// The solution for this right side, as near as it comes.
-    fn solve(&self, right: &[f64]) -> Vec<f64> {
+    /// All (i, j, W_ij) that differ from zero, i ≤ j.
+    fn all(&self) -> impl Iterator<Item = (usize, usize, f64)> {
+        let list = self.elements.list();
+        let open = self.blocks.iter().filter(|block| !self.pairs.is_exact(block.row, block.column));
+        open.map(|PlacedBlock { row: i, column: j, values }| {
+            (i, j, list[i].area * values[0] * values[0] * list[j].area)
+        })
+    }
+
+    /// The solution for this right side to such a residual, as near as it comes.
+    fn solve(&self, right: &[f64], tolerance: f64) -> Vec<f64> {
         let mut x = vec![0.0; right.len()];
         let solver = Method::CG.solver;
-        let settings = Settings::default().with_tolerance(SOLVED);
+        let settings = Settings::default().with_tolerance(tolerance);
         // Where it does not converge, the next turn goes on from its best x.
         let _ = solver.solve(self, right, &mut x, &settings, &mut |_| check_interrupt());
         x
     }
 }
 
-impl Operator for Weights {
+impl Operator for Weights<'_> {
     fn partition(&self) -> &Partition {
         &self.partition
     }
 
-    fn gather(&self, row: usize, x: &[f64], y: &mut [f64]) {
-        y[0] = self.diagonal[row] * x[row]
-            + self.rows[row].iter().map(|(other, weight)| weight * x[*other]).sum::<f64>();
+    fn apply(&self, x: &[f64], y: &mut [f64]) {
+        y.iter_mut().zip(x).zip(&self.diagonal).for_each(|((y, x), own)| *y = own * x);
+        for (i, j, weight) in self.all().filter(|(i, j, _)| i != j) {
+            y[i] += weight * x[j];
+            y[j] += weight * x[i];
+        }
+    }
+
+    fn diagonal(&self, block: usize, out: &mut [f64]) {
+        out[0] = self.diagonal[block];
     }
 
     fn shoot(&self, column: usize, x: &[f64], y: &mut [f64]) {
         y[column] += self.diagonal[column] * x[0];
-        self.rows[column].iter().for_each(|(other, weight)| y[*other] += weight * x[0]);
+        for (i, j, weight) in self.all().filter(|(i, j, _)| i != j) {
+            if i == column {
+                y[j] += weight * x[0];
+            } else if j == column {
+                y[i] += weight * x[0];
+            }
+        }
     }
 
     fn symmetric(&self) -> bool {

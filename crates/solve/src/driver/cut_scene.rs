@@ -19,6 +19,7 @@ use super::forecast::seconds_of_pairs;
 use super::kept_model::KeptModel;
 use super::options::Options;
 use super::outcome::{Stages, timed};
+use super::pair_rays;
 use super::requirements::require_diffuse;
 use super::transport_choice::TransportChoice;
 
@@ -114,8 +115,13 @@ impl CutScene {
     }
 
     /// About the seconds that its blocks take two threads.
-    pub(super) fn seconds_of_pairs(&self) -> f64 {
-        seconds_of_pairs(&self.scene, &self.elements, &self.visibility, self.rays)
+    pub(super) fn seconds_of_pairs(&self, work: &Work<'_>) -> f64 {
+        let Self { scene, elements, visibility, options, rays, .. } = self;
+        let by_pairs = || pair_rays::transport(elements, visibility, options, work);
+        match rays.and_then(|_| by_pairs()) {
+            Some(transport) => pair_rays::seconds(&transport, elements),
+            None => seconds_of_pairs(scene, elements, visibility, *rays),
+        }
     }
 
     /// Whether an element sends light.

@@ -158,6 +158,11 @@ impl MemoryEstimate {
         Self { elements, blocks: 2 * own, pairs: CHUNK, system, kept: elements + kept + exact }
     }
 
+    /// These bytes where pairs that have rays of their own take so many.
+    pub(super) fn by_pairs(self, pairs: u64) -> Self {
+        Self { blocks: 0, pairs, ..self }
+    }
+
     /// Largest sum at any time, with nothing kept for the next scene.
     pub fn peak(&self) -> u64 {
         PROGRAM + self.elements + self.blocks + self.system.max(self.blocks + self.pairs)

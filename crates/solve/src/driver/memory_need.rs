@@ -11,6 +11,7 @@ use super::failure::Failure;
 use super::memory_estimate::MemoryEstimate;
 use super::memory_reduction::MemoryReduction;
 use super::options::Options;
+use super::pair_rays;
 
 /// A run as far as its memory goes.
 #[derive(Clone, Copy, Debug)]
@@ -31,7 +32,13 @@ impl MemoryNeed<'_> {
     pub(super) fn peak(&self) -> u64 {
         let Self { scene, how, options, ranks, .. } = self;
         let estimate = match self.rays {
-            Some(rays) => MemoryEstimate::of_rays(scene, how, options.solver, rays, ranks),
+            Some(rays) => {
+                let estimate = MemoryEstimate::of_rays(scene, how, options.solver, rays, ranks);
+                match pair_rays::memory(scene, options) {
+                    Some(pairs) => estimate.by_pairs(pairs),
+                    None => estimate,
+                }
+            }
             None if options.is_unsymmetric() => MemoryEstimate::unsymmetric(scene, how, options.solver),
             None => MemoryEstimate::of(scene, how, options.solver, ranks),
         };

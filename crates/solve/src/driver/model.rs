@@ -191,7 +191,7 @@ impl Model {
             if is_first {
                 work.report(Progress::Expected {
                     stage: Stage::Blocks,
-                    seconds: ready.cut.seconds_of_pairs(),
+                    seconds: ready.cut.seconds_of_pairs(work),
                 });
             }
             known.unwrap_or_else(|| carried(scene, &subject, *rays, kept))
@@ -222,7 +222,7 @@ impl Model {
         let wanted = |a, b| ready.cut.sends(a) || ready.cut.sends(b);
         let emissions = Emission::all(&ready.cut.scene, ready.cut.elements.list());
         let first = ready.first_light(&ready.cut.scene, &emissions, work.ranks);
-        work.report(Progress::Expected { stage: Stage::Blocks, seconds: ready.cut.seconds_of_pairs() });
+        work.report(Progress::Expected { stage: Stage::Blocks, seconds: ready.cut.seconds_of_pairs(work) });
         let columns = work.during(Stage::Blocks, || ColumnsAsShot::new(ready.demand(&wanted), *work));
         let source = ColumnSource { columns: &columns, before: columns.seconds(), all_first: None };
         let shooter = ready.shooter(&ready.cut.scene, &emissions, &first);
@@ -331,9 +331,12 @@ impl Model {
         visibility
     }
 
-    /// This model with blocks that were corrected.
-    pub fn with_blocks(self, blocks: Blocks) -> Self {
-        Self { blocks, ..self }
+    /// This model with what `correct` makes of its blocks.
+    #[must_use]
+    pub fn with_corrected(self, correct: impl FnOnce(&Elements, Blocks) -> Blocks) -> Self {
+        let Self { ready, blocks, sampling, is_bounded } = self;
+        let blocks = correct(&ready.cut.elements, blocks);
+        Self { ready, blocks, sampling, is_bounded }
     }
 
     /// Refuses a scene of other surfaces, and light from surfaces whose blocks were left out.

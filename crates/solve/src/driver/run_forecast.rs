@@ -2,7 +2,6 @@
 
 use radiosity_scene::Scene;
 use radiosity_work::Work;
-use radiosity_work::ranks::Ranks;
 
 use super::cut_scene::CutScene;
 use super::decisions::AssemblyPlan;
@@ -39,21 +38,21 @@ impl RunForecast {
             let plan = AssemblyPlan { visibility: visibility.take(), ..AssemblyPlan::default() };
             let cut =
                 options.in_threads(work.ranks, || CutScene::of(scene, &options, plan, None, work))??;
-            let forecast = Self::of(&cut, work.ranks);
+            let forecast = Self::of(&cut, work);
             visibility = Some(cut.visibility);
             Ok(forecast)
         };
         ways.iter().map(&mut of).collect()
     }
 
-    fn of(cut: &CutScene, ranks: &Ranks) -> Self {
+    fn of(cut: &CutScene, work: &Work<'_>) -> Self {
         let emissions = cut.emissions();
-        let direct = seconds_of_direct(&cut.lit_scene(ranks), &emissions, cut.direct_way(&emissions));
+        let direct = seconds_of_direct(&cut.lit_scene(work.ranks), &emissions, cut.direct_way(&emissions));
         Self {
             rays: cut.rays,
             elements: cut.elements.list().len(),
             unknowns: cut.unknowns(),
-            seconds: direct + cut.seconds_of_pairs(),
+            seconds: direct + cut.seconds_of_pairs(work),
             bytes: cut.bytes.unwrap_or_default(),
         }
     }

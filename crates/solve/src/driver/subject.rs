@@ -17,6 +17,7 @@ use std::time::{Duration, Instant};
 
 use radiosity_elements::coating::Coating;
 use radiosity_elements::{Element, Elements};
+use radiosity_kernel::blocks::bounded_rows::bound_rows;
 use radiosity_kernel::{Accuracy, Blocks};
 use radiosity_light::first_bounce::DirectLightEntry;
 use radiosity_solvers::SolveError;
@@ -25,13 +26,13 @@ use radiosity_transport::{KeptBlocks, Rays, SampledTransport};
 use radiosity_visibility::Visibility;
 use radiosity_work::{Deadline, Progress, Work};
 
-use crate::facet_choice::{PairBytes, of_many_flat};
 use crate::system::ritz::{Ritz, RitzSolution};
 use crate::system::{Coefficients, System};
 
 use super::kept_model::KeptModel;
 use super::light_shares::LightShares;
 use super::options::Options;
+use super::pair_rays;
 use super::sampling::Sampling;
 use super::solve_band::{SystemsOfBand, solve_band};
 
@@ -64,16 +65,6 @@ const ROUND: u64 = 1 << 21;
 /// Chosen.
 const SENT: f64 = 0.6;
 const AFTER: u32 = 5;
-
-/// Bytes of a pair that has rays of its own: its exchange, two kinds of blocks, and how these are made to
-/// close. Counted from their types, not measured. And bytes of all pairs where nothing is said of memory.
-/// Chosen.
-const PAIR: f64 = 200.0;
-const USUALLY_MOST: f64 = 2e9;
-
-/// Accuracy of view factors over that of light that they carry, where each pair has rays of its own. Measured: flows of
-/// heat in a dented ball, sums of a thousand, err by a thirtieth of what the factors do.
-const OF_FACTORS: f64 = 10.0;
 
 /// Relative residual of solutions that only tell brightness or error.
 const ROUGH: f64 = 1e-4;
@@ -131,12 +122,7 @@ impl Subject<'_> {
     /// polynomials, or that is not asked for.
     pub(super) fn sample_pairs(&self) -> Option<(Blocks, Sampling)> {
         let Self { elements, visibility, options, work, .. } = *self;
-        if !options.rays_of_pairs {
-            return None;
-        }
-        let bytes = PairBytes { each: PAIR, usually_most: USUALLY_MOST, allowed: options.memory };
-        let eps = OF_FACTORS * options.accuracy().shadow_eps;
-        let found = of_many_flat(elements, visibility, eps, bytes, work)?.exchanges(&|_, _| true);
+        let found = pair_rays::transport(elements, visibility, options, work)?.exchanges(&|_, _| true);
         let halves = |rays: Rays| {
             let part = match rays {
                 Rays::Even => 1.0,
@@ -145,9 +131,26 @@ impl Subject<'_> {
             };
             found.blocks(elements, part, work.ranks)
         };
-        let error = self.error(&halves).ok();
+        // What errs may sum to more than is sent, which has no light.
+        let bounded = |rays: Rays| {
+            let mut blocks = halves(rays);
+            bound_rows(&mut blocks, &elements.constant());
+            blocks
+        };
+        let error = self.error(&bounded).ok();
         let (rays, exact_pairs) = (found.segments, found.exact);
-        Some((halves(Rays::All), Sampling { rays, planned: rays, exact_pairs, error }))
+        let blocks = halves(Rays::All);
+        // The bound hides a part of what halves differ by.
+        let error = error.map(|error| error.hypot(self.excess(&blocks)));
+        Some((blocks, Sampling { rays, planned: rays, exact_pairs, error }))
+    }
+
+    /// Root of the mean square over the area of what row sums of blocks between constants are above 1.
+    fn excess(&self, blocks: &Blocks) -> f64 {
+        let ones = self.elements.constant();
+        let above = blocks.apply(&ones).into_iter().zip(&ones).map(|(arrived, one)| (arrived - one).max(0.0));
+        // c² is the area.
+        (above.map(|above| above * above).sum::<f64>() / self.area()).sqrt()
     }
 
     /// Shares of the elements in the light that rays are spread for.
