@@ -65,7 +65,7 @@ times larger.";
     }),
     mut_arg("eps", |eps| eps.help("Accuracy of the transfers between elements, between 0 and 1 [default: 1e-4]")),
     mut_arg("subdivide", |cuts| {
-        cuts.help("Cuts each surface into K × K elements; auto looks at what the scene needs, and cuts faces finer towards their sides where others are near [default: auto]")
+        cuts.help("Cuts each surface into K × K elements; auto looks at what the scene needs, and cuts faces along the outlines of others near by, and finer towards their sides [default: auto]")
     }),
     mut_arg("transport", |transport| transport.help("How the pairs of elements are carried [default: auto]")),
     mut_arg("rays", |rays| {

@@ -65,6 +65,10 @@ const USUAL_EPS: f64 = 1e-3;
 /// Part of so many segments that tells as much as they do. Chosen: kernels of most pairs differ by less.
 const TELLING: f64 = 0.75;
 
+/// Segments for each that tells as much as one of one kernel from which their ends are drawn. Chosen: drawing takes as
+/// long as a half of the segment, and leaves their spread over both facets less even.
+const UNEVEN: f64 = 10.0;
+
 /// Most segments of a pair of which hardly any carry something.
 const MOST_IDLE: u64 = 512;
 
@@ -360,6 +364,10 @@ impl<'a> FacetTransport<'a> {
     fn look_again(&self, segments: &mut Segments<'_>, need: PairNeed, eps: f64) {
         let fewest = need.fewest(eps, self.first);
         segments.send(fewest);
+        if segments.spread() > UNEVEN {
+            segments.choose_ends();
+            segments.send(fewest);
+        }
         while segments.carrying() < TELLING * fewest as f64 && segments.sent() < MOST_IDLE {
             segments.send(2 * segments.sent());
         }

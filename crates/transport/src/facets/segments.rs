@@ -3,8 +3,13 @@
 //! Their ends are spread evenly over either facet. Each [`TOGETHER`] of them are paired at random: in one
 //! sequence of both ends, or by a fixed step, numbers of two of the four dimensions lie on a few lines, as do
 //! bars that stand along what is between.
+//!
+//! Where few of them carry most of the exchange, as beside a common edge, the end of each is drawn among those of its
+//! round by what it would carry, and each stands for the mean of these (J. Talbot, D. Cline, P. Egbert, *EGSR* (2005)
+//! 139-146).
 
 use radiosity_elements::sampling::shift::shift;
+use radiosity_geom::DVec3;
 use radiosity_visibility::Visibility;
 
 use super::facet::{End, Facet};
@@ -15,6 +20,9 @@ pub(super) const TOGETHER: u64 = 16;
 /// Places of the partners of the ends of a round, each once.
 type Partners = [u8; TOGETHER as usize];
 
+/// The ends of a round on the facet where segments stop.
+type Stops = [DVec3; TOGETHER as usize];
+
 /// Segments between two facets, from the first on.
 pub(super) struct Segments<'a> {
     facets: [&'a Facet; 2],
@@ -24,6 +32,7 @@ pub(super) struct Segments<'a> {
     /// Number of the pair.
     number: u64,
     partners: Partners,
+    chooses_ends: bool,
     sent: u64,
     /// Σ κ, Σ κ V, Σ κ², Σ κ² V.
     all: f64,
@@ -49,6 +58,7 @@ impl<'a> Segments<'a> {
             visibility,
             number,
             partners: partners(number, 0),
+            chooses_ends: false,
             sent: 0,
             all: 0.0,
             free: 0.0,
@@ -59,11 +69,8 @@ impl<'a> Segments<'a> {
 
     /// Sends segments until there are so many.
     pub(super) fn send(&mut self, count: u64) {
-        let [first, other] = self.facets;
         for index in self.sent..count {
-            let partner = self.partner(index);
-            let ends = [first.point(End::Start, index), other.point(End::Stop, partner)];
-            let kernel = first.kernel(ends, other);
+            let (ends, kernel) = self.next(index);
             self.all += kernel;
             self.squares += kernel * kernel;
             if kernel > 0.0 && self.visibility.is_free(Some(self.surface), ends[0], ends[1]) {
@@ -72,6 +79,34 @@ impl<'a> Segments<'a> {
             }
         }
         self.sent = self.sent.max(count);
+    }
+
+    /// Begins again, with ends that are drawn by what segments to them carry.
+    pub(super) fn choose_ends(&mut self) {
+        let Self { facets: [first, other], surface, visibility, .. } = *self;
+        *self = Self { chooses_ends: true, ..Self::between(first, other, surface, visibility) };
+    }
+
+    /// The ends of the segment of this index, the next one, and what it stands for (length⁻²).
+    fn next(&mut self, index: u64) -> ([DVec3; 2], f64) {
+        let [first, other] = self.facets;
+        let start = first.point(End::Start, index);
+        if !self.chooses_ends {
+            let ends = [start, other.point(End::Stop, self.partner(index))];
+            return (ends, first.kernel(ends, other));
+        }
+        let round = index - index % TOGETHER;
+        let stops: Stops = std::array::from_fn(|place| other.point(End::Stop, round + place as u64));
+        let kernels = stops.map(|stop| first.kernel([start, stop], other));
+        let sum: f64 = kernels.iter().sum();
+        let [draw] = shift::<1>(self.number.wrapping_add(index << 20).wrapping_mul(TOGETHER));
+        let mut left = draw * sum;
+        let is_drawn = |kernel: &f64| {
+            left -= kernel;
+            left < 0.0
+        };
+        let place = kernels.iter().position(is_drawn).unwrap_or(0);
+        ([start, stops[place]], sum / TOGETHER as f64)
     }
 
     /// The end where the segment stops that starts at the end of this index, the next one.
