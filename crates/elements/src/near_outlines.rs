@@ -16,13 +16,17 @@ use super::nearness::MOST_ELEMENTS;
 /// radiosity steps within a length that polynomials follow.
 const NEAR: f64 = 0.1;
 
+/// Width over the gap of what lies between a line and a side of the surface, at least. Chosen: radiosity hardly steps
+/// before a narrower strip, and layers at the side resolve it.
+const STRIP: f64 = 2.0;
+
 /// Part of the area of a surface that another one covers at least. Chosen, as for shaded parts.
 const LEAST: f64 = 1e-3;
 
 /// The near outlines of all surfaces of a scene.
 #[derive(Debug, Default)]
 pub(super) struct NearOutlines {
-    /// Those of each surface.
+    /// Outlines on each surface.
     surfaces: Vec<Outlines>,
 }
 
@@ -45,7 +49,7 @@ struct NearFace {
 }
 
 impl NearOutlines {
-    /// Those of the narrowest gaps, as long as no more than [`MOST_ELEMENTS`] follow in all.
+    /// The outlines over the narrowest gaps, as long as no more than [`MOST_ELEMENTS`] follow in all.
     pub(super) fn of(scene: &Scene) -> Self {
         let count = scene.surfaces.len();
         if count >= MOST_ELEMENTS {
@@ -111,8 +115,7 @@ fn near_face(scene: &Scene, [surface, face]: [usize; 2]) -> Option<NearFace> {
     let lines = [0, 1].map(|across| {
         let width = length(&**shape, across);
         let own = feet.iter().filter(|foot| foot.across == across && foot.span[1] - foot.span[0] > LOOSE);
-        // What lies between a line and a side of the surface is no narrower than half of the gap.
-        let is_apart = |at: &f64| (1.0 - at.abs()) * width >= gap;
+        let is_apart = |at: &f64| 0.5 * (1.0 - at.abs()) * width >= STRIP * gap;
         merged(&own.map(|foot| foot.at).filter(is_apart).collect::<Vec<f64>>(), &[])
     });
     let slenderness = gap / size(region).min(size(other));

@@ -171,7 +171,7 @@ impl ViewFactors {
         self.exchanges.sums().iter().zip(&self.areas).map(|(sum, area)| sum / area).collect()
     }
 
-    /// The error of each row relative to its largest factor, ascending; of rows of which none exceeds its error nothing.
+    /// The error of each row relative to its largest factor, ascending; rows of which none exceeds its error left out.
     pub fn relative_errors(&self) -> Vec<f64> {
         let mut errors: Vec<f64> = self.errors_of_rows().into_iter().flatten().collect();
         errors.sort_by(f64::total_cmp);

@@ -4,8 +4,8 @@
 //! sequence of both ends, or by a fixed step, numbers of two of the four dimensions lie on a few lines, as do
 //! bars that stand along what is between.
 //!
-//! Where few of them carry most of the exchange, as beside a common edge, the end of each is drawn among those of its
-//! round by what it would carry, and each stands for the mean of these (J. Talbot, D. Cline, P. Egbert, *EGSR* (2005)
+//! Where few of them carry most of the exchange, as beside a common edge, the end of each is drawn among sixteen by
+//! what it would carry, and each segment stands for the mean of these (J. Talbot, D. Cline, P. Egbert, *EGSR* (2005)
 //! 139-146).
 
 use radiosity_elements::sampling::shift::shift;
@@ -20,8 +20,8 @@ pub(super) const TOGETHER: u64 = 16;
 /// Places of the partners of the ends of a round, each once.
 type Partners = [u8; TOGETHER as usize];
 
-/// The ends of a round on the facet where segments stop.
-type Stops = [DVec3; TOGETHER as usize];
+/// Ends among which that of a segment is drawn.
+type Candidates = [DVec3; TOGETHER as usize];
 
 /// Segments between two facets, from the first on.
 pub(super) struct Segments<'a> {
@@ -95,8 +95,9 @@ impl<'a> Segments<'a> {
             let ends = [start, other.point(End::Stop, self.partner(index))];
             return (ends, first.kernel(ends, other));
         }
-        let round = index - index % TOGETHER;
-        let stops: Stops = std::array::from_fn(|place| other.point(End::Stop, round + place as u64));
+        let candidates = index * TOGETHER;
+        let stops: Candidates =
+            std::array::from_fn(|place| other.point(End::Stop, candidates + place as u64));
         let kernels = stops.map(|stop| first.kernel([start, stop], other));
         let sum: f64 = kernels.iter().sum();
         let [draw] = shift::<1>(self.number.wrapping_add(index << 20).wrapping_mul(TOGETHER));

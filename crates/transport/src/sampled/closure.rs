@@ -13,8 +13,8 @@
 
 use serde::{Deserialize, Serialize};
 
-/// Most turns. Each halves about what is missing; elements that few rays reach are the slow ones.
-const TURNS: usize = 60;
+/// Most turns. Each takes a quarter or more off what is missing; elements that few rays reach are the slow ones.
+const TURNS: usize = 120;
 
 /// Largest relative error of a row sum at which the turns end, over that of the pairs that are known beside those by
 /// rays, and where these are known badly: far below what is left of sampling. Where few pairs are left to rays, sums
