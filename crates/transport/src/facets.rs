@@ -67,7 +67,7 @@ const TELLING: f64 = 0.75;
 
 /// Segments for each that tells as much as one of one kernel from which their ends are drawn. Chosen: drawing takes as
 /// long as a half of the segment, and leaves their spread over both facets less even.
-const UNEVEN: f64 = 10.0;
+const UNEVEN: f64 = 4.0;
 
 /// Most segments of a pair of which hardly any carry something.
 const MOST_IDLE: u64 = 512;

@@ -12,7 +12,7 @@ use radiosity_geom::{COINCIDENT, DVec3, Meridian, Plane, ROUNDING, Rect, separat
 use radiosity_visibility::Visibility;
 use radiosity_visibility::frustum::Frustum;
 
-/// Whether each element of a pair may be the outer one, so that the other is a polygon, a disk or a ring, past `blockers`.
+/// Whether each element of a pair may be the outer one, past `blockers`: the other is a polygon, a disk or a ring.
 pub(crate) fn outer_sides(pair: [&Element; 2], blockers: &[usize], visibility: &Visibility) -> [bool; 2] {
     let may_be_outer = |outer: usize| {
         let (own, other) = (pair[outer], pair[1 - outer]);
