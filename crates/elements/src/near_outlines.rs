@@ -6,11 +6,11 @@
 //! constant u or v on which the sides of the outline lie. Outlines with other sides make shaded parts
 //! (`shaded_parts`).
 
-use radiosity_geom::{DVec3, LOOSE, PARALLEL_PLANES, PlanarRegion, Surface, polygon_area};
+use radiosity_geom::{LOOSE, PARALLEL_PLANES, PlanarRegion, polygon_area};
 use radiosity_scene::{Scene, SceneSurface};
 
 use super::dividers::{Foot, Lines, foot};
-use super::nearness::MOST_ELEMENTS;
+use super::nearness::{MOST_ELEMENTS, length};
 
 /// Width of a gap over the square roots of the areas at both sides up to which they are near. Chosen: over a wider one
 /// radiosity steps within a length that polynomials follow.
@@ -113,7 +113,7 @@ fn near_face(scene: &Scene, [surface, face]: [usize; 2]) -> Option<NearFace> {
     let sides = ring.iter().zip(ring.iter().cycle().skip(1));
     let feet = sides.map(|(a, b)| foot(&**shape, [*a, *b])).collect::<Option<Vec<Foot>>>()?;
     let lines = [0, 1].map(|across| {
-        let width = length(&**shape, across);
+        let width = length(&**shape, across, 0.0);
         let own = feet.iter().filter(|foot| foot.across == across && foot.span[1] - foot.span[0] > LOOSE);
         let is_apart = |at: &f64| 0.5 * (1.0 - at.abs()) * width >= STRIP * gap;
         merged(&own.map(|foot| foot.at).filter(is_apart).collect::<Vec<f64>>(), &[])
@@ -133,14 +133,6 @@ fn gap(region: &PlanarRegion, other: &PlanarRegion) -> Option<f64> {
 /// The square root of the area of a flat surface (length).
 fn size(region: &PlanarRegion) -> f64 {
     region.area().sqrt()
-}
-
-/// Length of a flat surface across lines of constant u or v, through its middle.
-fn length(shape: &dyn Surface, across: usize) -> f64 {
-    let place = |at: f64| -> DVec3 {
-        if across == 0 { shape.jet(at, 0.0).position } else { shape.jet(0.0, at).position }
-    };
-    place(-1.0).distance(place(1.0))
 }
 
 #[cfg(test)]

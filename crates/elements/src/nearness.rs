@@ -129,7 +129,7 @@ fn place(shape: &dyn Surface, along: usize, at: f64, other: f64) -> DVec3 {
 }
 
 /// Length of a surface along u or v where the other parameter is `other`, by chords.
-fn length(shape: &dyn Surface, along: usize, other: f64) -> f64 {
+pub(super) fn length(shape: &dyn Surface, along: usize, other: f64) -> f64 {
     let at = |step: usize| place(shape, along, -1.0 + 2.0 * step as f64 / CHORDS as f64, other);
     (0..CHORDS).map(|step| at(step).distance(at(step + 1))).sum()
 }

@@ -198,9 +198,7 @@ pub(super) fn by_contour([first, other]: [&Element; 2]) -> (f64, u64) {
 
 #[cfg(test)]
 mod tests {
-    use radiosity_elements::cells::Layers;
-    use radiosity_elements::space::Space;
-    use radiosity_elements::{Discretization, Elements, Subdivide};
+    use radiosity_elements::{Discretization, Elements};
 
     use super::super::BY_POINTS;
     use super::*;
@@ -225,12 +223,7 @@ mod tests {
         for seed in 0..4000 {
             let text = scene(seed);
             let scene = radiosity_language::read(&radiosity_scene::Source::new("two", &text)).expect("two");
-            let how = Discretization {
-                order: 0,
-                space: Space::Total,
-                subdivide: Subdivide::Uniform(1),
-                layers: Layers::NONE,
-            };
+            let how = Discretization::uniform(0, 1);
             let elements = Elements::new(&scene, &how).expect("they have area");
             let [first, other] = elements.list() else { panic!("two elements") };
             let [one, two] = [first, other].map(|own| Facet::of(own, seed, 1).expect("they are flat"));

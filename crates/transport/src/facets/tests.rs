@@ -1,8 +1,6 @@
 //! Pairs of which a part is hidden, against quadratures.
 
-use radiosity_elements::cells::Layers;
-use radiosity_elements::space::Space;
-use radiosity_elements::{Discretization, Subdivide};
+use radiosity_elements::Discretization;
 use radiosity_visibility::Shadows;
 
 use super::*;
@@ -49,12 +47,7 @@ fn segments_tell_how_badly_they_know_what_few_carry() {
         let (height, edge) = (0.06 + 0.1 * height, -0.06 - 0.1 * edge);
         let scene = radiosity_scene::Source::new("seat", &scene(height, edge));
         let scene = radiosity_language::read(&scene).expect("three rectangles");
-        let how = Discretization {
-            order: 0,
-            space: Space::Total,
-            subdivide: Subdivide::Uniform(1),
-            layers: Layers::NONE,
-        };
+        let how = Discretization::uniform(0, 1);
         let elements = Elements::new(&scene, &how).expect("they have area");
         let visibility = Visibility::new(&scene, Shadows::Rays, 1e-3);
         let work = Work::alone();
