@@ -14,7 +14,7 @@ pub const OWN_END: f64 = 1e-6;
 /// Width of a piece beside or under a cover, over the extent of the smaller sheet, up to which it is
 /// rounding: of corners in single precision, or of the cut. With a larger value narrow pieces that light
 /// reaches would be missing.
-pub const NARROW_PIECE: f64 = 1e-6;
+pub const NARROW_PIECE: f64 = 1e-9;
 
 /// Height of a gap over the diagonals of the surfaces at both sides up to which it is narrow: then about its square of
 /// the light outside comes to its middle. Chosen.

@@ -59,8 +59,9 @@ pub(super) struct Occlusion {
     pub hides: bool,
     /// Whether everything is hidden from every point of the rule.
     pub dark: bool,
-    /// Estimate of the largest error, from cells left at the smallest size, and from those on which two levels agree
-    /// where kinks are curved or a blocker passes through the outer element.
+    /// Estimate of the largest error, from cells left at the smallest size, from slits narrower than cells, and from
+    /// cells on which two levels agree: by what all of them differ together, and where kinks are curved or a blocker
+    /// passes through the outer element at least as if they had either sign.
     pub error: f64,
     /// Terms of the rules.
     pub samples: u64,
@@ -110,6 +111,9 @@ pub(super) struct CorrectionSums<'a> {
     /// Sum of the squared differences of two levels on cells on which these agree.
     squares: f64,
     samples: u64,
+    /// Sum of the differences of two levels in the first entry, with their signs, on these cells: beside kinks all have
+    /// one sign.
+    drift: f64,
     /// Cells that may still be halved.
     left: u64,
 }
@@ -124,6 +128,7 @@ impl<'a> CorrectionSums<'a> {
             dark: true,
             error: 0.0,
             squares: 0.0,
+            drift: 0.0,
             samples: 0,
             left: 0,
         }
@@ -135,14 +140,15 @@ impl<'a> CorrectionSums<'a> {
         self.dark &= other.dark;
         self.error += other.error;
         self.squares += other.squares;
+        self.drift += other.drift;
         self.samples += other.samples;
     }
 
     pub(super) fn finish(self) -> Occlusion {
         let Self { correction, hides, dark, samples, moments, .. } = self;
         let is_smooth = !correction.is_round && !correction.is_cut;
-        let agreed = if is_smooth { 0.0 } else { self.squares.sqrt() / AGREED_BY_LEVELS };
-        let error = self.error + agreed;
+        let random = if is_smooth { 0.0 } else { self.squares.sqrt() };
+        let error = self.error + random.max(self.drift.abs()) / AGREED_BY_LEVELS;
         Occlusion { values: moments.into_block(), hides, dark: dark && hides, error, samples }
     }
 
@@ -183,6 +189,8 @@ impl<'a> CorrectionSums<'a> {
         let may_miss = is_told && !is_last && self.may_miss(cell, &blockers);
         if is_told && !may_miss {
             self.squares += difference * difference;
+            self.drift +=
+                (coarse.values[0] - sums.iter().map(|sum| sum.values[0]).sum::<f64>()) * self.correction.unit;
         }
         let entries = self.correction.outer.basis.len() * self.correction.inner.basis.len();
         let share = limit / (parts.len() as f64).sqrt();
@@ -190,6 +198,9 @@ impl<'a> CorrectionSums<'a> {
             let is_done = is_last || is_told && !(may_miss && self.may_miss(part, &blockers));
             if is_done {
                 self.moments.add_raw(&sum.values[..entries], 0);
+                if !is_last && sum.shadow != HiddenShare::Nothing {
+                    self.error += self.in_slits(part, &blockers);
+                }
             } else {
                 // No part takes the cells that later ones may need.
                 let cells_left = self.left;
@@ -240,6 +251,12 @@ impl<'a> CorrectionSums<'a> {
                 self.correction.points as f64,
                 self.correction.accuracy,
             )
+    }
+
+    /// Estimate of what a cell carries in slits that the rule on it may have missed, too little to look for them.
+    fn in_slits(&self, cell: &Patch, blockers: &[usize]) -> f64 {
+        let share = self.correction.edges.share_of_slits(cell, blockers, self.correction.points as f64);
+        if share > 0.0 { share * self.most(cell) } else { 0.0 }
     }
 
     /// Maximal contribution of a cell to an entry, estimated from the unobstructed irradiance at its corners
