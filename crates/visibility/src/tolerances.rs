@@ -11,9 +11,8 @@ pub const END: f64 = 1e-9;
 /// [`END`] is left at a sine of 10⁻³. With a larger value bends of the surface itself would hide less.
 pub const OWN_END: f64 = 1e-6;
 
-/// Width of a piece beside or under a cover, over the extent of the smaller sheet, up to which it is
-/// rounding: of corners in single precision, or of the cut. With a larger value narrow pieces that light
-/// reaches would be missing.
+/// Width of a piece beside or under a cover, over the extent of the smaller sheet, up to which it is rounding of the
+/// cut. With a larger value narrow pieces that light reaches would be missing: strips beside boxes in recesses.
 pub const NARROW_PIECE: f64 = 1e-9;
 
 /// Height of a gap over the diagonals of the surfaces at both sides up to which it is narrow: then about its square of
