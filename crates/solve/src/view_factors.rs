@@ -18,6 +18,7 @@
 //!
 //! ```text
 //! own_i = max( √(Σ e_b²) / A_i ,  |1 − Σ_j F_ij| , 2⁻⁵² )  where |1 − Σ_j F_ij| ≤ 3 (√(Σ e_b²) + Σ ε_b x_b) / A_i ,
+//!                                                          where Σ_j F_ij > 1, or surfaces are known to enclose i ,
 //! own_i = max( √(Σ e_b²) / A_i ,  0.1 Σ ε_b x_b / A_i , 2⁻⁵² )  elsewhere, as in open scenes ,
 //! ```
 //!
@@ -33,12 +34,15 @@ mod exchanges;
 mod facet_errors;
 mod constants;
 
+use std::cell::LazyCell;
 use std::time::{Duration, Instant};
 
 use radiosity_elements::Elements;
 use radiosity_kernel::{Blocks, PairCounts, RowError, WorstError};
 use radiosity_scene::Scene;
 use radiosity_transport::FacetExchanges;
+use radiosity_visibility::Shadows;
+use radiosity_visibility::inspection::Regions;
 use radiosity_work::{Stage, Work};
 
 use crate::driver::cost::{seconds_of_rays, seconds_of_samples};
@@ -125,7 +129,11 @@ impl ViewFactors {
         let areas = areas(scene, &found.elements);
         let names = scene.surfaces.iter().map(|surface| surface.name.clone()).collect();
         let is_wanted = |i: usize, j: usize| wanted(i, j) || wanted(j, i);
-        let add_up = || factors(found, areas, names, &is_wanted);
+        let regions = LazyCell::new(|| Regions::of(scene));
+        let is_closed = |surface: usize| regions.as_ref().is_some_and(|regions| regions.is_closed(surface));
+        // Light that passes through surfaces reaches more than one.
+        let right_sums = (options.shadows != Shadows::Off).then_some(RightSums { is_closed: &is_closed });
+        let add_up = || factors(found, areas, names, &is_wanted, right_sums);
         let factors = work.during(Stage::Blocks, add_up);
         Ok(Self { elapsed: start.elapsed(), ..factors })
     }
@@ -229,12 +237,26 @@ fn row_errors(elements: &Elements, blocks: &Blocks, surfaces: usize) -> Vec<RowE
     rows
 }
 
+/// Right sums of rows where surfaces hide each other: 1 at the most, and 1 of those that surfaces enclose.
+#[derive(Clone, Copy)]
+struct RightSums<'a> {
+    is_closed: &'a dyn Fn(usize) -> bool,
+}
+
+impl RightSums<'_> {
+    /// Whether the row of a surface cannot have this sum.
+    fn exclude(&self, surface: usize, sum: f64) -> bool {
+        sum > 1.0 || (self.is_closed)(surface)
+    }
+}
+
 /// The own estimate of the error of the factors of a surface of this area; `sum` is that of its exchanges where all of
-/// them are known and not all are exact.
-fn own_error(error: RowError, area: f64, sum: Option<f64>) -> f64 {
+/// them are known and not all are exact, and `is_wrong` tells whether no right row has one.
+fn own_error(error: RowError, area: f64, sum: Option<f64>, is_wrong: impl Fn(f64) -> bool) -> f64 {
     let (known, asked) = (error.squares.sqrt() / area, error.asked / area);
-    let open = sum.map(|sum| (1.0 - sum / area).abs());
-    let missed = open.filter(|open| *open <= EXPLAINED * (known + asked)).unwrap_or(REACHED * asked);
+    let sum = sum.map(|sum| sum / area);
+    let is_missed = |sum: &f64| (1.0 - sum).abs() <= EXPLAINED * (known + asked) || is_wrong(*sum);
+    let missed = sum.filter(is_missed).map_or(REACHED * asked, |sum| (1.0 - sum).abs());
     known.max(missed).max(f64::EPSILON)
 }
 
@@ -244,13 +266,15 @@ fn factors(
     areas: Vec<f64>,
     names: Vec<String>,
     is_wanted: &dyn Fn(usize, usize) -> bool,
+    right_sums: Option<RightSums>,
 ) -> ViewFactors {
     let Constants { elements, choice, found } = constants;
     match found {
         Found::Facets(found) => of_facets(found, choice, areas, names),
         Found::Blocks { blocks, noise, exact_pairs } => {
             let exchanges = Exchanges::of_blocks(&elements, &blocks, areas.len(), is_wanted);
-            let errors = errors(&elements, &blocks, noise.as_ref(), &areas, &exchanges, is_wanted);
+            let errors =
+                errors(&elements, &blocks, noise.as_ref(), &areas, &exchanges, is_wanted, right_sums);
             ViewFactors {
                 names,
                 errors,
@@ -308,16 +332,18 @@ fn errors(
     areas: &[f64],
     exchanges: &Exchanges,
     is_wanted: &dyn Fn(usize, usize) -> bool,
+    right_sums: Option<RightSums>,
 ) -> Vec<f64> {
     let is_whole = |i: usize| (0..areas.len()).all(|j| is_wanted(i, j));
     let known = row_errors(elements, blocks, areas.len());
     let by_rays = noise.map(|noise| noise.errors(areas));
     let sums = exchanges.sums();
+    let is_wrong = |i: usize, sum: f64| right_sums.is_some_and(|right| right.exclude(i, sum));
     let error = |i: usize| match &by_rays {
-        Some(errors) => own_error(known[i], areas[i], None).hypot(errors[i]),
+        Some(errors) => own_error(known[i], areas[i], None, |_| false).hypot(errors[i]),
         None => {
             let is_told = known[i] != RowError::default() && is_whole(i);
-            own_error(known[i], areas[i], is_told.then(|| sums[i]))
+            own_error(known[i], areas[i], is_told.then(|| sums[i]), |sum| is_wrong(i, sum))
         }
     };
     (0..areas.len()).map(error).collect()
