@@ -60,8 +60,7 @@ pub(super) struct Occlusion {
     /// Whether everything is hidden from every point of the rule.
     pub dark: bool,
     /// Estimate of the largest error, from cells left at the smallest size, from slits narrower than cells, and from
-    /// cells on which two levels agree: by what all of them differ together, and where kinks are curved or a blocker
-    /// passes through the outer element at least as if they had either sign.
+    /// cells on which two levels agree where kinks are curved or a blocker passes through the outer element.
     pub error: f64,
     /// Terms of the rules.
     pub samples: u64,
@@ -111,9 +110,6 @@ pub(super) struct CorrectionSums<'a> {
     /// Sum of the squared differences of two levels on cells on which these agree.
     squares: f64,
     samples: u64,
-    /// Sum of the differences of two levels in the first entry, with their signs, on these cells: beside kinks all have
-    /// one sign.
-    drift: f64,
     /// Cells that may still be halved.
     left: u64,
 }
@@ -128,7 +124,6 @@ impl<'a> CorrectionSums<'a> {
             dark: true,
             error: 0.0,
             squares: 0.0,
-            drift: 0.0,
             samples: 0,
             left: 0,
         }
@@ -140,15 +135,14 @@ impl<'a> CorrectionSums<'a> {
         self.dark &= other.dark;
         self.error += other.error;
         self.squares += other.squares;
-        self.drift += other.drift;
         self.samples += other.samples;
     }
 
     pub(super) fn finish(self) -> Occlusion {
         let Self { correction, hides, dark, samples, moments, .. } = self;
         let is_smooth = !correction.is_round && !correction.is_cut;
-        let random = if is_smooth { 0.0 } else { self.squares.sqrt() };
-        let error = self.error + random.max(self.drift.abs()) / AGREED_BY_LEVELS;
+        let agreed = if is_smooth { 0.0 } else { self.squares.sqrt() / AGREED_BY_LEVELS };
+        let error = self.error + agreed;
         Occlusion { values: moments.into_block(), hides, dark: dark && hides, error, samples }
     }
 
@@ -189,8 +183,6 @@ impl<'a> CorrectionSums<'a> {
         let may_miss = is_told && !is_last && self.may_miss(cell, &blockers);
         if is_told && !may_miss {
             self.squares += difference * difference;
-            self.drift +=
-                (coarse.values[0] - sums.iter().map(|sum| sum.values[0]).sum::<f64>()) * self.correction.unit;
         }
         let entries = self.correction.outer.basis.len() * self.correction.inner.basis.len();
         let share = limit / (parts.len() as f64).sqrt();
