@@ -10,6 +10,7 @@ mod builtin;
 mod covered_parts;
 mod gaps;
 mod kept;
+mod recesses;
 mod rooms;
 mod rounding;
 mod shared;

@@ -1,0 +1,76 @@
+//! Boxes in recesses, over gaps from 1e-12 to 1e-1 of their size: no row misses 1 by more than it tells.
+//!
+//! The recess is closed, so all rows add up to 1. Of the bottom of the box, the side a, over that of the recess, the
+//! gap d, all but what leaves through the slit at its four sides is caught: 1 − 2 d/a ≤ F ≤ 1.
+
+use radiosity::solve::view_factors::ViewFactors;
+use radiosity::visibility::Shadows;
+use radiosity_test_support::solved::factors_of;
+
+use crate::rounded::sheet::{Sheet, cuboid, scene};
+
+/// Accuracy asked.
+const EPS: f64 = 1e-6;
+
+/// What errors may exceed those told by.
+const TOLD: f64 = 3.0;
+
+/// A box of half the height of a unit recess, this far from its sides and its bottom.
+fn recess(gap: f64) -> Vec<Sheet> {
+    let mut walls = cuboid("recess", [0.0; 3], [1.0; 3], &[]);
+    walls.iter_mut().for_each(|wall| wall.corners.reverse());
+    [cuboid("box", [gap; 3], [1.0 - gap, 1.0 - gap, 0.5 + gap], &[]), walls].concat()
+}
+
+fn found(gap: f64) -> ViewFactors {
+    factors_of(&scene(&recess(gap)).expect("a scene"), Shadows::Auto, EPS, EPS)
+}
+
+/// Errors of the rows of these surfaces, and those told of them.
+fn rows(found: &ViewFactors, of: &str) -> Vec<(f64, f64)> {
+    let sums = found.row_sums().into_iter().zip(&found.errors).zip(&found.names);
+    sums.filter(|(_, name)| name.starts_with(of)).map(|((sum, told), _)| ((1.0 - sum).abs(), *told)).collect()
+}
+
+#[test]
+fn boxes_in_recesses_see_them_however_thin_the_gap() {
+    for gap in [1e-12, 1e-10, 1e-9, 1e-8, 3e-8, 1e-7, 3e-7, 1e-6, 3e-6, 1e-5] {
+        let found = found(gap);
+        let place = |name: &str| found.names.iter().position(|own| own == name).expect("its name");
+        for (off, told) in rows(&found, "box") {
+            assert!(off <= TOLD * told + 1e-14, "{gap:e}: a row of the box is off by {off:e}, told {told:e}");
+        }
+        let (bottom, below) = (place("box-bottom"), place("recess-bottom"));
+        let (factor, told) = (found.factor(bottom, below), found.errors[bottom]);
+        let least = 1.0 - 2.0 * gap / (1.0 - 2.0 * gap);
+        assert!(factor >= least - TOLD * told - 1e-14, "{gap:e}: {factor} of {least}, told {told:e}");
+        assert!(factor <= 1.0 + 1e-14, "{gap:e}: {factor}");
+    }
+}
+
+#[test]
+fn rows_of_recesses_tell_what_they_miss() {
+    for gap in [1e-6, 1e-5, 3e-2] {
+        for (off, told) in rows(&found(gap), "recess") {
+            assert!(
+                off <= TOLD * told + 1e-14,
+                "{gap:e}: a row of the recess is off by {off:e}, told {told:e}"
+            );
+        }
+    }
+}
+
+/// Beside the gap of an open recess its bottom sees half of each strip that the gap leaves open, and as much under the
+/// box: about d of it each side.
+#[test]
+fn slits_that_are_missed_are_told_in_open_recesses() {
+    for gap in [1e-7, 1e-6] {
+        let mut sheets = recess(gap);
+        sheets.retain(|sheet| sheet.name != "recess-top");
+        let found = factors_of(&scene(&sheets).expect("a scene"), Shadows::Auto, EPS, EPS);
+        let place = |name: &str| found.names.iter().position(|own| own == name).expect("its name");
+        let [bottom, side] = ["recess-bottom", "recess-x0"].map(place);
+        let (off, told) = ((found.factor(bottom, side) - gap).abs(), found.errors[bottom]);
+        assert!(off <= TOLD * told, "{gap:e}: off by {off:e}, told {told:e}");
+    }
+}
