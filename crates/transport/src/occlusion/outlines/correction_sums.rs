@@ -245,8 +245,12 @@ impl<'a> CorrectionSums<'a> {
             )
     }
 
-    /// Estimate of what a cell carries in slits that the rule on it may have missed, too little to look for them.
+    /// Estimate of what a cell carries in slits that the rule on it may have missed, too little to look for them: of
+    /// flat elements, beside straight edges.
     fn in_slits(&self, cell: &Patch, blockers: &[usize]) -> f64 {
+        if self.correction.is_round || self.correction.pair.iter().any(|element| element.plane.is_none()) {
+            return 0.0;
+        }
         let share = self.correction.edges.share_of_slits(cell, blockers, self.correction.points as f64);
         if share > 0.0 { share * self.most(cell) } else { 0.0 }
     }
