@@ -28,8 +28,9 @@ use crate::sides::are_sides_of_one;
 /// rounding of the moved corners leaves the gap above the least. Larger gaps would let more light past.
 const OFF: f64 = 1.5;
 
-/// Difference of the typed heights of a sheet over another, as a part of the least, up to which a gap was meant:
-/// rounding spreads heights over either side. With a larger value skins that were rounded apart would count as typed so.
+/// Difference of the typed heights of a sheet over another, as a part of the least, up to which a gap was
+/// meant: rounding spreads heights over either side. With a larger value skins that were rounded apart would
+/// count as typed so.
 const UNEVEN: f64 = 0.1;
 
 /// A sheet that lies on another one, both by index, and how it has to be moved off it.

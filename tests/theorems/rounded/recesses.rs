@@ -12,7 +12,7 @@ use crate::rounded::sheet::{Sheet, cuboid, scene};
 /// Accuracy asked.
 const EPS: f64 = 1e-6;
 
-/// What errors may exceed those told by.
+/// Factor by which errors may exceed those told.
 const TOLD: f64 = 3.0;
 
 /// A box of half the height of a unit recess, this far from its sides and its bottom.

@@ -78,8 +78,8 @@ impl Edges {
         &self.inner
     }
 
-    /// Part of a cell in strips of light as wide as edges of `blockers` lie over it, which a rule of `points` points per
-    /// direction may miss; 0 without such edges.
+    /// Part of a cell in strips of light as wide as edges of `blockers` lie over it, which a rule of `points`
+    /// points per direction may miss; 0 without such edges.
     pub(super) fn share_of_slits(&self, cell: &Patch, blockers: &[usize], points: f64) -> f64 {
         let (corners, hull) = (cell.polygon(), cell.hull());
         let [along, across] = cell.extents();
