@@ -1,7 +1,7 @@
 """Errors told beside true ones where things are near to each other. See README.md.
 
     python nearness.py pairs -n 200 [--seed 1] [--command radiosity] [--eps 1e-3,1e-6] [--fine 1e-9] [-o pairs.csv]
-    python nearness.py heat -n 100 [--seed 1] [--kinds box] [--power 18] [--command radiosity] [-o heat.csv]
+    python nearness.py heat -n 100 [--seed 1] [--kinds box] [--power 17] [--longest 60] [--command radiosity] [-o heat.csv]
     python nearness.py sweeps [--command radiosity] [--eps 1e-6]
     python nearness.py show pairs 17 [--seed 1]
 
@@ -22,6 +22,7 @@ import random
 import subprocess
 import sys
 import tempfile
+import time
 
 import numpy as np
 from scipy.spatial import cKDTree
@@ -145,9 +146,9 @@ def written(folder, surfaces, materials=None):
     return file
 
 
-def run(command, verb, file, *options):
+def run(command, verb, file, *options, longest=LONGEST):
     words = [command, verb, file, "--format", "json", "--threads", "1", *options]
-    done = subprocess.run(words, capture_output=True, text=True, timeout=LONGEST)
+    done = subprocess.run(words, capture_output=True, text=True, timeout=longest)
     if done.returncode not in (0, 3):
         raise RuntimeError(f"{verb} {' '.join(options)}: {done.stderr.strip().splitlines()[-1]}")
     return json.loads(done.stdout)
@@ -158,8 +159,8 @@ def rows_of_cases(typed, of_case):
     for number in range(typed.start, typed.start + typed.n):
         try:
             yield from list(of_case(typed, number))
-        except subprocess.TimeoutExpired:
-            print(f"{number:4} left out: longer than {LONGEST:.0f} s", flush=True)
+        except subprocess.TimeoutExpired as late:
+            print(f"{number:4} left out: longer than {late.timeout:.0f} s", flush=True)
 
 
 def rows_of_pair(typed, number):
@@ -183,14 +184,16 @@ def rows_of_pair(typed, number):
 def rows_of_room(typed, number):
     title, surfaces, materials = enclosure(number, typed.seed, typed.kinds.split(","))
     with tempfile.TemporaryDirectory() as folder:
-        found = run(typed.command, "heat", written(folder, surfaces, materials))
+        begun = time.monotonic()
+        found = run(typed.command, "heat", written(folder, surfaces, materials), longest=typed.longest)
+        seconds = round(time.monotonic() - begun, 1)
     right = paths.balance(surfaces, materials, typed.power)
     largest = max(abs(value) for key, value, _ in right if key == "flow")
     for own, (key, value, noise) in zip(found["surfaces"], right):
         unit_ = value if key == "temperature" else largest
         yield {
             "case": number, "title": title, "what": f"{own['name']} {key}", "eps": "", "off": abs(own[key] - value) / unit_,
-            "told": own[f"{key}_error"] / unit_, "fine": noise / unit_, "seconds": "",
+            "told": own[f"{key}_error"] / unit_, "fine": noise / unit_, "seconds": seconds,
         }
 
 
@@ -307,7 +310,8 @@ def main():
             own.add_argument("-o", "--output")
         if name == "heat":
             own.add_argument("--kinds", default=",".join(BODIES))
-            own.add_argument("--power", type=int, default=18)
+            own.add_argument("--power", type=int, default=17)
+            own.add_argument("--longest", type=float, default=LONGEST)
         else:
             own.add_argument("--eps", default="1e-3,1e-6" if name == "pairs" else "1e-6")
         if name == "pairs":

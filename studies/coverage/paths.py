@@ -3,7 +3,8 @@
     q = ε σ (T⁴ − Σ_k w_k ε_k T_k⁴) ,     w_k = Π_{l<k} (1 − ε_l) ,
 
 over the hits k of a path whose ways follow the cosine law. What is adiabatic sends back all that it receives, point by point: ε = 0.
-Needs numpy and scipy.
+Paths between two parallel things that are both adiabatic go on by leaps of `gaps.py`; those of more than `MOST` hits end, and add the half of
+what they could yet bring to the noise. Paths of all surfaces advance together. Needs numpy and scipy.
 """
 
 import math
@@ -12,6 +13,7 @@ import numpy as np
 from scipy.stats import qmc
 
 from behind import across, hits, unit
+from gaps import Gaps
 
 SIGMA = 5.670374419e-8
 # Sequences of starts, by whose means noise is told.
@@ -20,6 +22,10 @@ SEQUENCES = 8
 SMALL = 0.05
 # Least way to a hit, over the size of rooms of about one.
 NEAREST = 1e-9
+# Hits of a path.
+MOST = 5000
+# Rays that are cut with surfaces at once.
+AT_ONCE = 1 << 14
 
 
 def frames(normal):
@@ -85,17 +91,27 @@ def area(own):
     return math.tau * own["cylinder"]["radius"] * np.linalg.norm(own["cylinder"]["axis"])
 
 
-def received(surfaces, emissivity, emitted, row, x, draw):
-    """What points of a surface receive, one path each (W/m²)."""
-    points = starts(surfaces[row], x)
-    ways = scattered(normals(surfaces[row], points), x[:, 2:4])
-    total, weight, paths = np.zeros(len(x)), np.ones(len(x)), np.arange(len(x))
-    while len(paths):
-        nearest, met = np.full(len(paths), np.inf), np.full(len(paths), -1)
+def first_hits(surfaces, points, ways):
+    """The distance of the first front that each ray meets, and its surface; −1 for none."""
+    nearest, met = np.full(len(points), np.inf), np.full(len(points), -1)
+    for first in range(0, len(points), AT_ONCE):
+        part = slice(first, first + AT_ONCE)
+        own_nearest, own_met = nearest[part], met[part]
         for j, other in enumerate(surfaces):
-            for t, facing in hits(other, points, ways):
-                is_nearer = (t > NEAREST) & (t < nearest) & (facing < 0)
-                nearest[is_nearer], met[is_nearer] = t[is_nearer], j
+            for t, facing in hits(other, points[part], ways[part]):
+                is_nearer = (t > NEAREST) & (t < own_nearest) & (facing < 0)
+                own_nearest[is_nearer], own_met[is_nearer] = t[is_nearer], j
+    return nearest, met
+
+
+def received(surfaces, emissivity, emitted, points, ways, draw):
+    """What arrives along rays, one path each (W/m²), and the half of what paths that were ended could yet bring."""
+    gaps = Gaps(surfaces, emissivity)
+    total, rest = np.zeros(len(points)), np.zeros(len(points))
+    weight, paths = np.ones(len(points)), np.arange(len(points))
+    of_bodies = emitted[emissivity > 0]
+    for _ in range(MOST):
+        nearest, met = first_hits(surfaces, points, ways)
         is_met = met >= 0
         points, ways, nearest, met, paths, weight = (of[is_met] for of in (points, ways, nearest, met, paths, weight))
         points = points + nearest[:, None] * ways
@@ -105,26 +121,34 @@ def received(surfaces, emissivity, emitted, row, x, draw):
         goes_on = draw.random(len(paths)) < chance
         weight = np.where(chance < 1, SMALL, weight)
         points, met, paths, weight = (of[goes_on] for of in (points, met, paths, weight))
+        if not len(paths):
+            break
         normal = np.empty((len(paths), 3))
         for j, other in enumerate(surfaces):
             own = met == j
             normal[own] = normals(other, points[own])
         ways = scattered(normal, draw.random((len(paths), 2)))
-    return total
+        gaps.leap(met, points, ways, draw)
+    total[paths] += weight * 0.5 * (of_bodies.max() + of_bodies.min())
+    rest[paths] = weight * 0.5 * (of_bodies.max() - of_bodies.min())
+    return total, rest
 
 
 def balance(surfaces, materials, power=18):
     """The flow (W) of each surface, the temperature (K) of what is adiabatic, and the standard deviation of either."""
     emissivity = np.array([0.0 if own.get("adiabatic") else materials[own["material"]]["emissivity"] for own in surfaces])
     emitted = SIGMA * np.array([own.get("temperature", 0.0) for own in surfaces]) ** 4
-    rows = []
+    points, ways = [], []
     for row, own in enumerate(surfaces):
-        draw = np.random.default_rng(row)
-        means = []
         for sequence in range(SEQUENCES):
             x = qmc.Sobol(4, seed=1000 * row + sequence).random_base2(power - 3)
-            means.append(received(surfaces, emissivity, emitted, row, x, draw).mean())
-        mean, noise = np.mean(means), np.std(means, ddof=1) / math.sqrt(SEQUENCES)
+            points.append(starts(own, x))
+            ways.append(scattered(normals(own, points[-1]), x[:, 2:4]))
+    found = received(surfaces, emissivity, emitted, np.concatenate(points), np.concatenate(ways), np.random.default_rng(0))
+    means, rests = (own.reshape(len(surfaces), SEQUENCES, -1).mean(2) for own in found)
+    rows = []
+    for row, own in enumerate(surfaces):
+        mean, noise = means[row].mean(), means[row].std(ddof=1) / math.sqrt(SEQUENCES) + rests[row].mean()
         if own.get("adiabatic"):
             temperature = (mean / SIGMA) ** 0.25
             rows.append(("temperature", temperature, 0.25 * temperature * noise / mean))

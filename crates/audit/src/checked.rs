@@ -4,7 +4,7 @@
 //! They are multiplied by one factor κ ≥ 1 a run and quantity,
 //!
 //! ```text
-//! κ = Verdict::factor(o) ,     o² = Σ w o_i² / Σ w (M_i² − s_i²) .
+//! κ = Verdict::factor(o) ,     o² = Σ o_i² / Σ (M_i² − s_i²) .
 //! ```
 //!
 //! Own estimates that are too small are thereby made as large as what is found; what no walk can see, such as the
@@ -16,7 +16,7 @@
 //! tell it, and half to be everywhere:
 //!
 //! ```text
-//! e_i² = o_i² + m² (o_i² / o² + 1) / 2 ,     m² = (κ² − 1) o² ,     Σ w e_i² = κ² Σ w o_i² ;
+//! e_i² = o_i² + m² (o_i² / o² + 1) / 2 ,     m² = (κ² − 1) o² ,     Σ e_i² = κ² Σ o_i² ;
 //! ```
 //!
 //! m² = err² + SE where they tell nothing at all.
@@ -152,7 +152,7 @@ impl Checked {
     /// If there is not an estimate for each reading.
     pub fn relative(judged: &[Judged], own: &[f64]) -> f64 {
         assert_eq!(judged.len(), own.len(), "an estimate for each reading");
-        let square = |(judged, own): (&Judged, &f64)| judged.weight * judged.printed.len() as f64 * own * own;
+        let square = |(judged, own): (&Judged, &f64)| judged.printed.len() as f64 * own * own;
         let squares: f64 = judged.iter().zip(own).map(square).sum();
         if squares == 0.0 { 0.0 } else { (squares / Verdict::size(judged)).sqrt() }
     }
@@ -274,6 +274,20 @@ mod tests {
         let right = checked(&[1.0; 64], 1e-9);
         assert_eq!((right.error_factor, right.told(1e-9, Some(3))), (1.0, 1e-9));
         assert!(right.to_string().contains("no error above 0.007") && right.finding().is_none(), "{right}");
+    }
+
+    /// Seven walls of 600 ± 3 W are right, and 32 ± 0.1 W of a coin of a sixtieth of their area is printed as 47 W.
+    #[test]
+    fn a_small_surface_errs_by_its_difference_beside_noisy_large_ones() {
+        let reading = |printed: f64, found: Mean, size: f64| Judged {
+            size,
+            ..Judged::of_number("surface", printed, found, 1)
+        };
+        let mut judged = vec![reading(600.0, Mean { value: 600.0, error: 3.0 }, 1.0); 7];
+        judged.push(reading(47.0, Mean { value: 32.0, error: 0.1 }, 1.0 / 60.0));
+        let own = vec![0.5; judged.len()];
+        let checked = Checked::of(&judged, &own, &Verdict::of(&judged, 3), "surfaces");
+        assert!((checked.told(0.5, Some(7)) - 15.0).abs() < 0.2, "{checked:?}");
     }
 
     /// A quarter of the readings print 0 where 1 is true, and own estimates are a thousandth of what is printed:

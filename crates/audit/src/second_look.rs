@@ -83,7 +83,7 @@ mod tests {
             printed: long.bands.iter().map(|mean| mean.value).collect(),
             printed_groups: Vec::new(),
             estimate: short,
-            weight: 1.0,
+            size: 1.0,
             class: "floor".to_owned(),
         });
         (referee, spots, judged.collect(), effort)

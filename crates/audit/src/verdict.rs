@@ -3,14 +3,14 @@
 //! Of n readings Ê_i with the unbiased means M_i ± s_i, independent of Ê_i, and d_i = Ê_i − M_i,
 //!
 //! ```text
-//! err² = Σ w_i (d_i² − s_i²) / Σ w_i (M_i² − s_i²)
+//! err² = Σ (d_i² − s_i²) / Σ (M_i² − s_i²)
 //! ```
 //!
 //! is the square of their relative error in the L2 mean, numerator and denominator unbiased; it may be negative.
-//! Its standard error follows from the spread of the n terms, t_i = w_i (d_i² − s_i² − err² (M_i² − s_i²)),
+//! Its standard error follows from the spread of the n terms, t_i = d_i² − s_i² − err² (M_i² − s_i²),
 //!
 //! ```text
-//! SE² = n/(n − 1) Σ t_i² / (Σ w_i (M_i² − s_i²))² .
+//! SE² = n/(n − 1) Σ t_i² / (Σ (M_i² − s_i²))² .
 //! ```
 //!
 //! If the readings are right, d_i² − s_i² has the variance 2 σ⁴ (1 + 1/ν), where s_i² has ν = 7 degrees of
@@ -41,8 +41,9 @@ pub struct Judged {
     pub printed_groups: Vec<Vec<f64>>,
     /// The estimate of the referee.
     pub estimate: Estimate,
-    /// Weight w of the reading, e.g. the area that it stands for.
-    pub weight: f64,
+    /// Size in whose proportion readings of as many walks err: of the flow of a surface what it absorbs at the
+    /// irradiance 1; 1 of light at points.
+    pub size: f64,
     /// Name of the class that it belongs to: a surface or a plane.
     pub class: String,
 }
@@ -56,7 +57,7 @@ pub struct Verdict {
     pub squared_error: f64,
     /// Its standard error SE₀ if all readings were right.
     pub by_chance: f64,
-    /// Square of the relative noise of the referee, Σ w s² over the denominator of err².
+    /// Square of the relative noise of the referee, Σ s² over the denominator of err².
     pub noise_squared: f64,
     /// Number h of equal readings that tell as much.
     pub equal_readings: f64,
@@ -121,15 +122,15 @@ impl Verdict {
         }
     }
 
-    /// Σ w (M² − s²) over all bands: the square of the size that relative errors are of.
+    /// Σ (M² − s²) over all bands: the square of the size that relative errors are of.
     pub(crate) fn size(judged: &[Judged]) -> f64 {
         judged.iter().map(|own| Terms::of(own).below).sum::<f64>().max(f64::MIN_POSITIVE)
     }
 
     /// The L2 mean of what is true, over readings and bands; 0 of none.
     pub(crate) fn mean(judged: &[Judged]) -> f64 {
-        let weight: f64 = judged.iter().map(|own| own.weight * own.printed.len() as f64).sum();
-        if weight == 0.0 { 0.0 } else { (Self::size(judged) / weight).sqrt() }
+        let numbers: usize = judged.iter().map(|own| own.printed.len()).sum();
+        if numbers == 0 { 0.0 } else { (Self::size(judged) / numbers as f64).sqrt() }
     }
 
     /// The readings that are off by more than chance, with the root mean square over their bands of what they are off
@@ -138,6 +139,7 @@ impl Verdict {
     pub(crate) fn off(judged: &[Judged]) -> Vec<(usize, f64)> {
         let (pooled, mean) = (pooled_error(judged), (Self::size(judged) / judged.len().max(1) as f64).sqrt());
         let of = |(number, own): (usize, &Judged)| {
+            let pooled = pooled * own.size;
             let pairs = || own.printed.iter().zip(&own.estimate.bands);
             let is_off =
                 |(printed, found): (&f64, &Mean)| is_outlier(*printed, found, pooled, mean, judged.len());
@@ -236,7 +238,7 @@ impl Judged {
             printed: vec![printed],
             printed_groups: Vec::new(),
             estimate: Estimate { bands: vec![found], groups: Vec::new(), rays },
-            weight: 1.0,
+            size: 1.0,
             class: class.to_owned(),
         }
     }
@@ -278,7 +280,7 @@ impl Judged {
 struct Terms {
     above: f64,
     below: f64,
-    /// w s², bands added as they err.
+    /// s², bands added as they err.
     noise: f64,
     chance_squared: f64,
 }
@@ -288,12 +290,12 @@ impl Terms {
         let mut terms = Self { above: 0.0, below: 0.0, noise: 0.0, chance_squared: 0.0 };
         for (printed, mean) in judged.printed.iter().zip(&judged.estimate.bands) {
             let variance = mean.error * mean.error;
-            terms.above += judged.weight * ((printed - mean.value).powi(2) - variance);
-            terms.below += judged.weight * (mean.value * mean.value - variance);
-            terms.noise += judged.weight * variance;
+            terms.above += (printed - mean.value).powi(2) - variance;
+            terms.below += mean.value * mean.value - variance;
+            terms.noise += variance;
             let fourth = variance * variance * FREEDOM / (FREEDOM + 2.0);
             // Bands of one walk err together: their standard deviations add up, not their variances.
-            terms.chance_squared += judged.weight * (2.0 * (1.0 + 1.0 / FREEDOM) * fourth).sqrt();
+            terms.chance_squared += (2.0 * (1.0 + 1.0 / FREEDOM) * fourth).sqrt();
         }
         terms.chance_squared *= terms.chance_squared;
         terms
@@ -317,10 +319,11 @@ fn signed_means(judged: &[Judged], groups: &[Option<String>], squares: f64) -> V
     all.means((squares.max(0.0) / numbers as f64).sqrt())
 }
 
-/// Standard error of all readings together, their root mean square: where a few of many walks bring most of the
-/// light, readings that got none of it tell too small an error.
+/// Standard error of all readings that can err, over their sizes, its root mean square: where a few of many walks
+/// bring most of the light, readings that got none of it tell too small an error.
 fn pooled_error(judged: &[Judged]) -> f64 {
-    let errors = || judged.iter().flat_map(|own| &own.estimate.bands).map(|mean| mean.error);
+    let of = |own: &Judged| own.estimate.bands.iter().map(|mean| mean.error / own.size).collect::<Vec<f64>>();
+    let errors = || judged.iter().filter(|own| own.size > 0.0).flat_map(of);
     (errors().map(|error| error * error).sum::<f64>() / errors().count().max(1) as f64).sqrt()
 }
 
@@ -342,7 +345,7 @@ fn worst_readings(judged: &[Judged], terms: &[Terms], mean: f64, count: usize) -
         let pairs = || own.printed.iter().copied().zip(own.estimate.bands.iter().copied()).enumerate();
         let off = |(_, (printed, found)): &(usize, (f64, Mean))| (printed - found.value).abs();
         let (band, (printed, found)) = pairs().max_by(|a, b| off(a).total_cmp(&off(b)))?;
-        let is_outlier = is_outlier(printed, &found, pooled, mean, judged.len());
+        let is_outlier = is_outlier(printed, &found, pooled * own.size, mean, judged.len());
         Some(WorstReading { reading: *reading, of: own.class.clone(), band, printed, found, is_outlier })
     };
     order.iter().take(count).filter_map(named).collect()
@@ -359,7 +362,7 @@ mod tests {
             printed: vec![printed[0][0] + printed[1][0], printed[0][1] + printed[1][1]],
             printed_groups: printed.iter().map(|group| group.to_vec()).collect(),
             estimate: Estimate { bands: vec![mean(4.0); 2], groups: vec![vec![mean(2.0); 2]; 2], rays: 1 },
-            weight: 1.0,
+            size: 1.0,
             class: class.to_owned(),
         }
     }

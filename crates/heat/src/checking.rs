@@ -1,7 +1,13 @@
 //! The errors of a balance, made true by what a referee finds.
 //!
 //! Every error becomes κ times what it was, and that of a surface that is off by more than chance at least the
-//! difference that was found ([`Checked`](radiosity_audit::Checked)), d of a flow, d/(4 σ T³ A) of a temperature.
+//! difference that was found ([`Checked`](radiosity_audit::Checked)), d of a flow, d/(4 σ T³ A) of a temperature. Heat
+//! that some are found to gain or lose beyond their errors e is missed or met by others, as if the irradiance of all
+//! were off by
+//!
+//! ```text
+//! Σ max(d − e, 0) / Σ ε A     W/m²,     ε A of the surfaces of known temperature .
+//! ```
 //!
 //! Balances of kept transfers share a check: the errors of each surface grow by the factors by which they grew where it
 //! was made, and by κ where there was none that could grow.
@@ -11,7 +17,7 @@ use radiosity_scene::Scene;
 use radiosity_work::Work;
 
 use super::Heat;
-use super::figures::{ErrorGrowth, SurfaceHeat};
+use super::figures::{ErrorGrowth, SurfaceHeat, add_errors_of_irradiance, taking_up};
 use super::judging::JudgedHeat;
 
 impl Heat {
@@ -60,13 +66,26 @@ impl Heat {
             own.flow_error = checked.told(own.flow_error, None);
             own.temperature_error = checked.told(own.temperature_error, None);
         }
+        let mut missed = 0.0;
         for (reading, looked) in run.surfaces.iter().enumerate() {
-            self.take_difference(looked.surface, checked.told(0.0, Some(reading)));
+            let difference = checked.told(0.0, Some(reading));
+            missed += (difference - checked.told(looked.told_watts, None)).max(0.0);
+            self.take_difference(looked.surface, difference);
         }
+        self.miss(missed);
         let pairs = before.iter().zip(&self.surfaces);
         let growth = |(before, after)| ErrorGrowth::between(before, after, checked.error_factor);
         self.growth = pairs.map(growth).collect();
         self.checked = Some(checked);
+    }
+
+    /// Makes the errors of all surfaces at least those of so many watts that arrive elsewhere than they should.
+    fn miss(&mut self, watts: f64) {
+        let all = taking_up(&self.surfaces);
+        if watts > 0.0 && all > 0.0 {
+            let with_level = self.surfaces.iter_mut().filter(|own| own.has_level());
+            with_level.for_each(|own| add_errors_of_irradiance(own, watts / all));
+        }
     }
 
     /// Makes the error of a surface at least that of a difference in watts, and of the other side of a sheet too.

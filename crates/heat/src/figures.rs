@@ -38,6 +38,15 @@ pub struct SurfaceHeat {
     pub flow_error: f64,
 }
 
+impl SurfaceHeat {
+    /// Area times what it absorbs of the irradiance, or times 1 where its level follows from that: what is read of it
+    /// errs in this proportion.
+    pub(super) fn absorbing_area(&self) -> f64 {
+        let known = self.emissivity.filter(|_| self.is_temperature_known);
+        self.area * known.unwrap_or(1.0)
+    }
+}
+
 /// Factors by which the errors of a surface became larger.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct ErrorGrowth {
@@ -164,6 +173,11 @@ pub(super) fn difference(surfaces: &[SurfaceHeat], others: &[SurfaceHeat]) -> f6
 /// Makes the errors of all surfaces those of an irradiance that is off by the part `eps` of itself.
 pub(super) fn add_errors_of_blocks(surfaces: &mut [SurfaceHeat], eps: f64) {
     surfaces.iter_mut().for_each(|own| add_errors_of_irradiance(own, eps * own.irradiance.abs()));
+}
+
+/// Area of all surfaces of known temperature times their emissivities: what takes up heat.
+pub(super) fn taking_up(surfaces: &[SurfaceHeat]) -> f64 {
+    surfaces.iter().filter(|own| own.is_temperature_known).map(SurfaceHeat::absorbing_area).sum()
 }
 
 /// Makes the errors of flow and temperature those that follow from one of the irradiance (W m⁻²) at the least.

@@ -47,7 +47,7 @@ pub struct JudgedSurface {
     /// Both as flow or level times area (W); the class is its name.
     pub judged: Judged,
     /// The told error (W).
-    told_watts: f64,
+    pub(super) told_watts: f64,
     /// Its index in the scene.
     pub(super) surface: usize,
 }
@@ -98,7 +98,8 @@ impl JudgedSurface {
         let rounding = ROUNDING * own.area * own.radiosity;
         let number = |printed, mean: Mean| {
             let mean = Mean { error: mean.error.max(rounding), ..mean };
-            Judged::of_number(&own.name, printed, mean, found.rays)
+            let judged = Judged::of_number(&own.name, printed, mean, found.rays);
+            Judged { size: own.absorbing_area(), ..judged }
         };
         if own.is_temperature_known {
             Self {

@@ -144,7 +144,7 @@ impl CheckedReadings {
         for ((number, printed), estimate) in told {
             let PrintedReading { spot, printed, printed_groups, own: error, class } = printed;
             numbers_judged.push(number);
-            judged.push(Judged { printed, printed_groups, estimate, weight: 1.0, class });
+            judged.push(Judged { printed, printed_groups, estimate, size: 1.0, class });
             spots.push(spot);
             own.push(error);
         }

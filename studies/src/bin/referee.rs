@@ -90,5 +90,5 @@ fn relative_error(found: &[Estimate]) -> f64 {
 /// A reading that is printed as it was found.
 fn right(estimate: Estimate) -> Judged {
     let printed = estimate.bands.iter().map(|mean| mean.value).collect();
-    Judged { printed, printed_groups: Vec::new(), estimate, weight: 1.0, class: String::new() }
+    Judged { printed, printed_groups: Vec::new(), estimate, size: 1.0, class: String::new() }
 }

@@ -271,7 +271,7 @@ fn faults(folder: &Path, walks: f64) -> Result<(), Box<dyn Error>> {
             printed: vec![*printed],
             printed_groups: Vec::new(),
             estimate,
-            weight: 1.0,
+            size: 1.0,
             class: "sensors".to_owned(),
         };
         let judged: Vec<Judged> = found.into_iter().zip(&printed).map(judge).collect();

@@ -22,7 +22,7 @@ fn right(random: &mut Random, class: usize, noise: f64, bands: usize) -> Judged 
         printed: vec![1.0; bands],
         printed_groups: Vec::new(),
         estimate: Estimate { bands: vec![Mean::of(&shifts); bands], groups: Vec::new(), rays: 0 },
-        weight: 1.0,
+        size: 1.0,
         class: class.to_string(),
     }
 }
@@ -98,7 +98,7 @@ sphere = { center = [3, 3, 1], radius = 0.4 }
             printed: vec![3.0],
             printed_groups: Vec::new(),
             estimate,
-            weight: 1.0,
+            size: 1.0,
             class: scene.surfaces[point.surface].name.clone(),
         });
         Verdict::of(&judged.collect::<Vec<_>>(), 3).finds(0.0)

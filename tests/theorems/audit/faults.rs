@@ -128,7 +128,7 @@ impl Seen {
             printed: vec![*printed],
             printed_groups: Vec::new(),
             estimate: estimate.clone(),
-            weight: 1.0,
+            size: 1.0,
             class: self.scene.surfaces[own.surface].name.clone(),
         };
         let judged = self.found.iter().zip(&self.sample).zip(printed).map(judge);

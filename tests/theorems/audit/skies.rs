@@ -269,7 +269,7 @@ fn a_horizon_that_is_not_cut_is_found() {
             printed: vec![printed(k)],
             printed_groups: Vec::new(),
             estimate,
-            weight: 1.0,
+            size: 1.0,
             class: "plane".to_owned(),
         };
         let judged: Vec<Judged> = trial.estimates(1024.0, 5).into_iter().enumerate().map(judge).collect();

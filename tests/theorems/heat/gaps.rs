@@ -13,7 +13,9 @@
 use std::f64::consts::PI;
 
 use radiosity::Work;
+use radiosity::audit::Effort;
 use radiosity::heat::{Heat, HeatOptions};
+use radiosity::solve::{Options, Transport};
 use radiosity_core::gauss::Legendre;
 use radiosity_test_support::scenes::typed;
 
@@ -103,4 +105,71 @@ fn flows_between_near_disks_are_right_within_what_is_told() {
 #[ignore = "a minute"]
 fn flows_between_disks_that_nearly_touch_are_right_within_what_is_told() {
     assert_told(&[0.03, 0.01]);
+}
+
+/// A coin of 526 K 4 mm over the floor of a can at 464 K, and a furnace apart from it.
+const COIN: &str = r#"
+[materials.floor]
+emissivity = 0.183
+temperature = 464
+[materials.lid]
+emissivity = 0.9
+temperature = 413
+[materials.coin]
+emissivity = 0.2
+temperature = 526
+[materials.hot]
+emissivity = 0.5
+temperature = 900
+[[surfaces]]
+name = "floor"
+material = "floor"
+disk = { center = [0, 0, 0], normal = [0, 0, 1], radius = 1 }
+[[surfaces]]
+name = "lid"
+material = "lid"
+disk = { center = [0, 0, 1], normal = [0, 0, -1], radius = 1 }
+[[surfaces]]
+name = "wall"
+material = "lid"
+flip = true
+cylinder = { base = [0, 0, 0], axis = [0, 0, 1], radius = 1 }
+[[surfaces]]
+name = "coin"
+material = "coin"
+two_sided = true
+disk = { center = [0.3, 0, 0.004], normal = [0, 0, -1], radius = 0.2 }
+[[surfaces]]
+name = "furnace-floor"
+material = "hot"
+disk = { center = [10, 0, 0], normal = [0, 0, 1], radius = 3 }
+[[surfaces]]
+name = "furnace-lid"
+material = "lid"
+disk = { center = [10, 0, 3], normal = [0, 0, -1], radius = 3 }
+[[surfaces]]
+name = "furnace-wall"
+material = "lid"
+flip = true
+cylinder = { base = [10, 0, 0], axis = [0, 0, 3], radius = 3 }
+"#;
+
+/// Between plates q = (σT₁⁴ − σT₂⁴) / (1/ε₁ + 1/ε₂ − 1), but for what enters at the border of the coin: less
+/// than the half. Even fluxes that rays carry give twice that, and walks for the furnace are noisier than all of it.
+#[test]
+fn a_coin_near_a_floor_errs_by_what_walks_find_beside_a_furnace() {
+    let scene = typed(COIN);
+    let options = Options { transport: Transport::Sampled, threads: 2, ..HeatOptions::default().options };
+    let mut heat = Heat::of(&scene, &HeatOptions { options, conductances: false }, &Work::alone())
+        .unwrap_or_else(|error| panic!("{error}"));
+    let surfaces = heat.to_check(&scene, 16);
+    heat.check(&scene, &surfaces, &Effort::of_walks(16384.0), &Work::alone())
+        .unwrap_or_else(|fault| panic!("{fault}"));
+    let flux = (level(526.0) - level(464.0)) / (1.0 / 0.2 + 1.0 / 0.183 - 1.0);
+    let right = flux * PI * 0.2 * 0.2;
+    let own = of(&heat, "coin");
+    let found = format!("{} W for {right}, told {}", own.flow, own.flow_error);
+    assert!(own.flow > 1.7 * right, "the fault that is to be told is there: {found}");
+    let off = own.flow - 1.5 * right..own.flow - right;
+    assert!(own.flow_error > 0.5 * off.start && own.flow_error < 2.0 * off.end, "{found}");
 }

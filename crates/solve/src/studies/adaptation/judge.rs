@@ -146,7 +146,7 @@ impl Judge {
                     groups: Vec::new(),
                     rays: estimate.rays,
                 },
-                weight: 1.0,
+                size: 1.0,
                 class: String::new(),
             }
         };
