@@ -59,18 +59,3 @@ fn rows_of_recesses_tell_what_they_miss() {
         }
     }
 }
-
-/// Beside the gap of an open recess its bottom sees half of each strip that the gap leaves open, and as much under the
-/// box: about d of it each side.
-#[test]
-fn slits_that_are_missed_are_told_in_open_recesses() {
-    for gap in [1e-7, 1e-6] {
-        let mut sheets = recess(gap);
-        sheets.retain(|sheet| sheet.name != "recess-top");
-        let found = factors_of(&scene(&sheets).expect("a scene"), Shadows::Auto, EPS, EPS);
-        let place = |name: &str| found.names.iter().position(|own| own == name).expect("its name");
-        let [bottom, side] = ["recess-bottom", "recess-x0"].map(place);
-        let (off, told) = ((found.factor(bottom, side) - gap).abs(), found.errors[bottom]);
-        assert!(off <= TOLD * told, "{gap:e}: off by {off:e}, told {told:e}");
-    }
-}

@@ -92,7 +92,7 @@ pub(crate) fn occluded_block(
     }
     if occlusion.dark {
         let mut block = Block::hidden(occlusion.values.len(), 0);
-        (block.report.samples, block.report.error) = (occlusion.samples, occlusion.error);
+        block.report.samples = occlusion.samples;
         return block;
     }
     let mut block = unshaded();

@@ -59,8 +59,8 @@ pub(super) struct Occlusion {
     pub hides: bool,
     /// Whether everything is hidden from every point of the rule.
     pub dark: bool,
-    /// Estimate of the largest error, from cells left at the smallest size, from slits narrower than cells, and from
-    /// cells on which two levels agree where kinks are curved or a blocker passes through the outer element.
+    /// Estimate of the largest error, from cells left at the smallest size, and from those on which two levels agree
+    /// where kinks are curved or a blocker passes through the outer element.
     pub error: f64,
     /// Terms of the rules.
     pub samples: u64,
@@ -190,9 +190,6 @@ impl<'a> CorrectionSums<'a> {
             let is_done = is_last || is_told && !(may_miss && self.may_miss(part, &blockers));
             if is_done {
                 self.moments.add_raw(&sum.values[..entries], 0);
-                if !is_last && sum.shadow != HiddenShare::Nothing {
-                    self.error += self.in_slits(part, &blockers);
-                }
             } else {
                 // No part takes the cells that later ones may need.
                 let cells_left = self.left;
@@ -243,16 +240,6 @@ impl<'a> CorrectionSums<'a> {
                 self.correction.points as f64,
                 self.correction.accuracy,
             )
-    }
-
-    /// Estimate of what a cell carries in slits that the rule on it may have missed, too little to look for them: of
-    /// flat elements, beside straight edges.
-    fn in_slits(&self, cell: &Patch, blockers: &[usize]) -> f64 {
-        if self.correction.is_round || self.correction.pair.iter().any(|element| element.plane.is_none()) {
-            return 0.0;
-        }
-        let share = self.correction.edges.share_of_slits(cell, blockers, self.correction.points as f64);
-        if share > 0.0 { share * self.most(cell) } else { 0.0 }
     }
 
     /// Maximal contribution of a cell to an entry, estimated from the unobstructed irradiance at its corners

@@ -78,29 +78,6 @@ impl Edges {
         &self.inner
     }
 
-    /// Part of a cell in strips of light as wide as edges of `blockers` lie over it, which a rule of `points`
-    /// points per direction may miss; 0 without such edges.
-    pub(super) fn share_of_slits(&self, cell: &Patch, blockers: &[usize], points: f64) -> f64 {
-        let (corners, hull) = (cell.polygon(), cell.hull());
-        let [along, across] = cell.extents();
-        let extent = along.max(across);
-        let (ball, near) = (Ball::around(&corners), NEAR * extent / (points * points));
-        let mut widest: f64 = 0.0;
-        for own in self.blockers.iter().filter(|own| blockers.contains(&own.blocker)) {
-            for edge in &own.edges {
-                let may_reach = ball.gap_to_segment(edge.ends) < near && edge.may_part(&hull, &self.inner);
-                let gap = if may_reach { segment_distance(&corners, edge.ends) } else { near };
-                if gap > widest
-                    && gap < near
-                    && !separated(&hull, &self.inner, &edge.ends, COINCIDENT * extent)
-                {
-                    widest = gap;
-                }
-            }
-        }
-        (widest / extent).min(1.0)
-    }
-
     /// Whether a rule of `points` points per direction and this relative `accuracy` may miss shadows of
     /// `blockers` within a cell.
     pub(super) fn may_be_passed_over(
