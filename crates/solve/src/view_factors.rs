@@ -124,12 +124,12 @@ impl ViewFactors {
         work: &Work<'_>,
     ) -> Result<Self, Failure> {
         let start = Instant::now();
-        let found =
-            in_threads(work.ranks.threads(options.threads), || Constants::of(scene, wanted, options, work))??;
+        let threads = work.ranks.threads(options.threads);
+        let found = in_threads(threads, || Constants::of(scene, wanted, options, work))??;
         let areas = areas(scene, &found.elements);
         let names = scene.surfaces.iter().map(|surface| surface.name.clone()).collect();
         let is_wanted = |i: usize, j: usize| wanted(i, j) || wanted(j, i);
-        let regions = LazyCell::new(|| Regions::of(scene));
+        let regions = LazyCell::new(|| in_threads(threads, || Regions::of(scene)).ok().flatten());
         let is_closed = |surface: usize| regions.as_ref().is_some_and(|regions| regions.is_closed(surface));
         // Light that passes through surfaces reaches more than one.
         let right_sums = (options.shadows != Shadows::Off).then_some(RightSums { is_closed: &is_closed });
