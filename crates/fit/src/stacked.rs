@@ -28,11 +28,6 @@ use crate::sides::are_sides_of_one;
 /// rounding of the moved corners leaves the gap above the least. Larger gaps would let more light past.
 const OFF: f64 = 1.5;
 
-/// Difference of the typed heights of a sheet over another, as a part of the least, up to which a gap was
-/// meant: rounding spreads heights over either side. With a larger value skins that were rounded apart would
-/// count as typed so.
-const UNEVEN: f64 = 0.1;
-
 /// A sheet that lies on another one, both by index, and how it has to be moved off it.
 #[derive(Clone, Copy, Debug)]
 pub struct Step {
@@ -147,9 +142,8 @@ impl Pair<'_> {
         let is_copy = is_within && common > (1.0 - SAME_AREA) * self.on.area();
         let is_alike = normal.dot(up) > 0.0;
         if is_copy && self.bodies[0] * self.bodies[1] > 0.0 {
-            // A body in a recess of its size, over a gap that was typed; else the inner and the outer skin of one
-            // shell, back to back.
-            return self.typed_side().map(|side| side * up).or((!is_alike).then_some(-up));
+            // The inner and the outer skin of one shell, back to back.
+            return (!is_alike).then_some(-up);
         }
         // A face with its body behind it stands on a sheet with its body in front (box on tile), and on loose
         // tiles.
@@ -176,16 +170,6 @@ impl Pair<'_> {
             (false, true) if is_within => by_sign(rounding).or(Some(normal)),
             (false, _) => by_sign(rounding),
         }
-    }
-
-    /// The side of the larger sheet that the smaller one was typed on, 1 or −1; None where the typed corners are not
-    /// all at one height, or no higher than rounding.
-    fn typed_side(&self) -> Option<f64> {
-        let heights = self.sheet.typed_heights(self.on);
-        let [low, high] = [f64::min, f64::max].map(|of| heights.iter().copied().reduce(of).unwrap_or(0.0));
-        let least = low.abs().min(high.abs());
-        let rounding = touching(0.0, self.reach()).max(self.sheet.rounding() + self.on.rounding());
-        (least > rounding && high - low <= UNEVEN * least).then_some(low.signum())
     }
 
     /// The largest distance from the origin of a typed corner of the larger sheet.
@@ -322,17 +306,6 @@ mod tests {
         let [inner, outer] = [square("inner", 0.0, 1.0, 0.0), down(square("outer", 0.0, 1.0, 0.0))];
         let found = heights(vec![inner, down(wall(0.0, 1.0, 0.0)), outer, wall(0.0, 1.0, 0.0)]);
         assert!(found[2] < found[0], "{found:?}");
-    }
-
-    #[test]
-    fn the_bottom_of_a_body_stands_before_that_of_a_recess_of_its_size() {
-        for gap in [1e-12, 1e-9] {
-            let inner =
-                Sheet { typed: square("inner", 0.0, 1.0, gap).shape, ..down(square("inner", 0.0, 1.0, 0.0)) };
-            let recess = [square("recess", 0.0, 1.0, 0.0), down(wall(0.0, 1.0, 0.0))];
-            let found = heights([recess.to_vec(), vec![inner, wall(0.0, 1.0, 0.0)]].concat());
-            assert!(found[2] > found[0], "{found:?}");
-        }
     }
 
     #[test]

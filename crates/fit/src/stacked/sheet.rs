@@ -3,7 +3,7 @@
 use std::cmp::Ordering;
 use std::sync::Arc;
 
-use radiosity_geom::{DVec3, PlanarRegion, Surface, coordinate_rounding, layer_order};
+use radiosity_geom::{DVec3, PlanarRegion, Surface, layer_order};
 
 /// A flat sheet that may lie on others.
 #[derive(Clone, Debug)]
@@ -58,19 +58,9 @@ impl Sheet {
 
     /// Mean height of its typed corners over another sheet (scene length).
     pub(super) fn typed_height(&self, other: &Sheet) -> f64 {
-        let heights = self.typed_heights(other);
-        heights.iter().sum::<f64>() / heights.len().max(1) as f64
-    }
-
-    /// Heights of its typed corners over another sheet (scene length); none over a curved one.
-    pub(super) fn typed_heights(&self, other: &Sheet) -> Vec<f64> {
-        let Some(region) = other.typed.region() else { return Vec::new() };
+        let corners = self.typed.corners();
+        let Some(region) = other.typed.region() else { return 0.0 };
         let sign = if other.flip { -1.0 } else { 1.0 };
-        self.typed.corners().iter().map(|x| sign * region.height(*x)).collect()
-    }
-
-    /// Rounding of its typed corners across its plane (scene length).
-    pub(super) fn rounding(&self) -> f64 {
-        coordinate_rounding(&self.typed.corners(), self.typed.region().map(PlanarRegion::normal))
+        sign * corners.iter().map(|x| region.height(*x)).sum::<f64>() / corners.len() as f64
     }
 }

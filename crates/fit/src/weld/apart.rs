@@ -7,7 +7,6 @@
 use std::collections::HashSet;
 
 use super::sheet::Sheets;
-use super::tolerance::Tolerance;
 use crate::tolerances::SHARED_AREA;
 use crate::{coincident::common_area, gap};
 
@@ -29,9 +28,7 @@ pub(super) fn pairs(sheets: &Sheets) -> Apart {
             let Some(over) = &sheets.list[other].region else { continue };
             let tolerance = sheet.tolerance.with(&sheets.list[other].tolerance);
             let [low, high] = sheets.list[other].heights_over(region);
-            let is_even = high - low <= sheets.reach();
-            let uncertain = if is_even { Tolerance::even_uncertainty } else { Tolerance::uncertainty };
-            let uncertain = uncertain(&sheet.tolerance, &sheets.list[other].tolerance);
+            let uncertain = sheet.tolerance.uncertainty(&sheets.list[other].tolerance);
             let told = gap::least(region.extent(), over.extent()).max(uncertain);
             let is_near = low.abs().max(high.abs()) <= SLAB * tolerance;
             if is_near

@@ -16,11 +16,6 @@ const DECIMALS: i32 = 9;
 /// value fewer rounded scenes are mended; with a smaller one gaps of one unit that were typed are closed.
 const LEAST_UNITS: f64 = 3e5;
 
-/// Roundings of decimals up to which the height of a sheet over a parallel one is none, where it is the same at all
-/// corners: it is a whole number of units, and a unit is two roundings. Planes that tilt with the rounding of their
-/// corners differ by [`ROUNDINGS_OF_PLANE`], and by other heights.
-const ROUNDINGS_OF_HEIGHT: f64 = 1.0;
-
 /// Distance from other sheets that corners may have, over that from the planes of their own sheets: as far as
 /// a corner is off its plane another one may be, and the three that its plane goes through.
 const UNEVEN: f64 = 4.0;
@@ -43,8 +38,6 @@ const COMPUTED: f64 = 32.0;
 pub(super) struct Tolerance {
     /// Rounding of its coordinates.
     rounding: f64,
-    /// Rounding of its height over a sheet that is as high over it at all corners: decimals are rounded once.
-    even: f64,
     /// Rounding of the scene's coordinates, judged by corners off their planes.
     noise: f64,
     /// Tolerance in proportion to its size.
@@ -82,7 +75,6 @@ impl Tolerance {
     pub(super) fn of(measures: &Measures, evidence: Evidence) -> Self {
         Self {
             rounding: ROUNDINGS_OF_PLANE * measures.rounding.max(evidence.decimal),
-            even: (ROUNDINGS_OF_PLANE * measures.rounding).max(ROUNDINGS_OF_HEIGHT * evidence.decimal),
             noise: UNEVEN * evidence.unevenness.min(PLANARITY * measures.extent).max(measures.unevenness),
             touch: LOOSE * measures.extent,
             most: measures.most(),
@@ -91,7 +83,7 @@ impl Tolerance {
 
     /// The tolerance `length` (scene length) that the user gave.
     pub(super) fn asked(measures: &Measures, length: f64) -> Self {
-        Self { rounding: length, even: length, noise: length, touch: length, most: measures.most() }
+        Self { rounding: length, noise: length, touch: length, most: measures.most() }
     }
 
     /// The distance within which two sheets touch.
@@ -102,16 +94,7 @@ impl Tolerance {
     /// The distance within which either sheet may be in front: the coarser rounding of the two, or the finer
     /// noise.
     pub(super) fn uncertainty(&self, other: &Self) -> f64 {
-        self.beyond(other, self.rounding.max(other.rounding))
-    }
-
-    /// The distance within which either sheet may be in front, where one is as high over the other at all corners.
-    pub(super) fn even_uncertainty(&self, other: &Self) -> f64 {
-        self.beyond(other, self.even.max(other.even))
-    }
-
-    /// The rounding of two sheets, or their finer noise, if that is more.
-    fn beyond(&self, other: &Self, rounding: f64) -> f64 {
+        let rounding = self.rounding.max(other.rounding);
         rounding.max(self.noise.min(other.noise)).min(self.most).min(other.most)
     }
 
