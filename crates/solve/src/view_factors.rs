@@ -132,8 +132,9 @@ impl ViewFactors {
         let regions = LazyCell::new(|| in_threads(threads, || Regions::of(scene)).ok().flatten());
         let is_closed = |surface: usize| regions.as_ref().is_some_and(|regions| regions.is_closed(surface));
         // Light that passes through surfaces reaches more than one.
-        let right_sums = (options.shadows != Shadows::Off).then_some(RightSums { is_closed: &is_closed });
-        let add_up = || factors(found, areas, names, &is_wanted, right_sums);
+        let is_hidden = options.shadows != Shadows::Off;
+        let is_wrong = |surface: usize, sum: f64| is_hidden && (sum > 1.0 || is_closed(surface));
+        let add_up = || factors(found, areas, names, &is_wanted, &is_wrong);
         let factors = work.during(Stage::Blocks, add_up);
         Ok(Self { elapsed: start.elapsed(), ..factors })
     }
@@ -237,19 +238,6 @@ fn row_errors(elements: &Elements, blocks: &Blocks, surfaces: usize) -> Vec<RowE
     rows
 }
 
-/// Right sums of rows where surfaces hide each other: 1 at the most, and 1 of those that surfaces enclose.
-#[derive(Clone, Copy)]
-struct RightSums<'a> {
-    is_closed: &'a dyn Fn(usize) -> bool,
-}
-
-impl RightSums<'_> {
-    /// Whether the row of a surface cannot have this sum.
-    fn exclude(&self, surface: usize, sum: f64) -> bool {
-        sum > 1.0 || (self.is_closed)(surface)
-    }
-}
-
 /// The own estimate of the error of the factors of a surface of this area; `sum` is that of its exchanges where all of
 /// them are known and not all are exact, and `is_wrong` tells whether no right row has one.
 fn own_error(error: RowError, area: f64, sum: Option<f64>, is_wrong: impl Fn(f64) -> bool) -> f64 {
@@ -260,21 +248,21 @@ fn own_error(error: RowError, area: f64, sum: Option<f64>, is_wrong: impl Fn(f64
     known.max(missed).max(f64::EPSILON)
 }
 
-/// The factors between surfaces of these areas and names by their elements, of the pairs that are wanted.
+/// The factors between surfaces of these areas and names by their elements, of the pairs that are wanted; `is_wrong`
+/// tells whether the row of a surface cannot have a sum.
 fn factors(
     constants: Constants,
     areas: Vec<f64>,
     names: Vec<String>,
     is_wanted: &dyn Fn(usize, usize) -> bool,
-    right_sums: Option<RightSums>,
+    is_wrong: &dyn Fn(usize, f64) -> bool,
 ) -> ViewFactors {
     let Constants { elements, choice, found } = constants;
     match found {
         Found::Facets(found) => of_facets(found, choice, areas, names),
         Found::Blocks { blocks, noise, exact_pairs } => {
             let exchanges = Exchanges::of_blocks(&elements, &blocks, areas.len(), is_wanted);
-            let errors =
-                errors(&elements, &blocks, noise.as_ref(), &areas, &exchanges, is_wanted, right_sums);
+            let errors = errors(&elements, &blocks, noise.as_ref(), &areas, &exchanges, is_wanted, is_wrong);
             ViewFactors {
                 names,
                 errors,
@@ -332,13 +320,12 @@ fn errors(
     areas: &[f64],
     exchanges: &Exchanges,
     is_wanted: &dyn Fn(usize, usize) -> bool,
-    right_sums: Option<RightSums>,
+    is_wrong: &dyn Fn(usize, f64) -> bool,
 ) -> Vec<f64> {
     let is_whole = |i: usize| (0..areas.len()).all(|j| is_wanted(i, j));
     let known = row_errors(elements, blocks, areas.len());
     let by_rays = noise.map(|noise| noise.errors(areas));
     let sums = exchanges.sums();
-    let is_wrong = |i: usize, sum: f64| right_sums.is_some_and(|right| right.exclude(i, sum));
     let error = |i: usize| match &by_rays {
         Some(errors) => own_error(known[i], areas[i], None, |_| false).hypot(errors[i]),
         None => {
