@@ -24,6 +24,13 @@ pub(crate) fn normal_of_student(t: f64, freedom: f64) -> f64 {
     (8.0 * freedom + 1.0) / (8.0 * freedom + 3.0) * size.copysign(t)
 }
 
+/// The t of Student's distribution of ν degrees of freedom that is exceeded as seldom as a normal number: the inverse of
+/// [`normal_of_student`].
+pub(crate) fn student_of_normal(normal: f64, freedom: f64) -> f64 {
+    let size = (8.0 * freedom + 3.0) / (8.0 * freedom + 1.0) * normal;
+    (freedom * (size * size / freedom).exp_m1()).sqrt().copysign(normal)
+}
+
 /// The normal number that is exceeded as seldom as a ratio of F(ν₁, ν₂) (E. Paulson, Ann. Math. Stat. 13, 1942).
 pub(crate) fn normal_of_ratio(ratio: f64, above: f64, below: f64) -> f64 {
     let [above, below] = [above, below].map(|freedom| 2.0 / (9.0 * freedom));
@@ -40,4 +47,18 @@ pub(crate) fn threshold(count: usize) -> f64 {
         x = (2.0 * ((2.0 / std::f64::consts::PI).sqrt() / (x * wanted)).ln()).max(1.0).sqrt();
     }
     x.max(FINDING)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Student's t of seven degrees of freedom exceeds 4.52997 with the probability 0.00135 that a normal number exceeds 3:
+    /// both by their integrals.
+    #[test]
+    fn seven_degrees_of_freedom_exceed_more_as_seldom() {
+        let student = student_of_normal(FINDING, FREEDOM);
+        assert!((student / 4.52997 - 1.0).abs() < 0.01, "{student}");
+        assert!((normal_of_student(student, FREEDOM) / FINDING - 1.0).abs() < 1e-14);
+    }
 }

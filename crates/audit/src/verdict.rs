@@ -22,7 +22,7 @@
 
 use serde::Serialize;
 
-use crate::chance::{FINDING, FREEDOM, normal_of_ratio, normal_of_student, threshold};
+use crate::chance::{FINDING, FREEDOM, normal_of_ratio, normal_of_student, student_of_normal, threshold};
 use crate::referee::{Estimate, Mean};
 use crate::signed_mean::{SignedDifferences, SignedMean};
 
@@ -135,18 +135,23 @@ impl Verdict {
 
     /// The readings that are off by more than chance, with the root mean square over their bands of what they are off
     /// by at least: by all of the difference where that is a hundredth of the mean as well and as seldom as a finding
-    /// among all readings, elsewhere by what is beyond three standard errors.
+    /// among all readings, elsewhere by what is beyond three standard errors of all, and beyond what its own error, found
+    /// from few walks, exceeds as seldom.
     pub(crate) fn off(judged: &[Judged]) -> Vec<(usize, f64)> {
         let (pooled, mean) = (pooled_error(judged), (Self::size(judged) / judged.len().max(1) as f64).sqrt());
+        let few = student_of_normal(FINDING, FREEDOM);
         let of = |(number, own): (usize, &Judged)| {
             let pooled = pooled * own.size;
             let pairs = || own.printed.iter().zip(&own.estimate.bands);
             let is_off =
                 |(printed, found): (&f64, &Mean)| is_outlier(*printed, found, pooled, mean, judged.len());
-            let chance = if pairs().any(is_off) { 0.0 } else { FINDING };
-            let beyond = |(printed, found): (&f64, &Mean)| {
-                ((printed - found.value).abs() - chance * found.error.max(pooled)).max(0.0)
+            let is_any_off = pairs().any(is_off);
+            let chance = |found: &Mean| match is_any_off {
+                true => 0.0,
+                false => (few * found.error).max(FINDING * pooled),
             };
+            let beyond =
+                |(printed, found): (&f64, &Mean)| ((printed - found.value).abs() - chance(found)).max(0.0);
             let squares: f64 = pairs().map(|pair| beyond(pair).powi(2)).sum();
             (squares > 0.0).then(|| (number, (squares / own.printed.len() as f64).sqrt()))
         };

@@ -2,8 +2,8 @@
 //!
 //! Every error becomes κ times what it was, and that of a surface that is off by more than chance at least the
 //! difference that was found ([`Checked`](radiosity_audit::Checked)), d of a flow, d/(4 σ T³ A) of a temperature. Heat
-//! that some are found to gain or lose beyond their errors e is missed or met by others, as if the irradiance of all
-//! were off by
+//! that surfaces of known temperature are found to gain or lose beyond their errors e is missed or met by others, since
+//! flows sum to 0, as if the irradiance of all were off by
 //!
 //! ```text
 //! Σ max(d − e, 0) / Σ ε A     W/m²,     ε A of the surfaces of known temperature .
@@ -69,7 +69,9 @@ impl Heat {
         let mut missed = 0.0;
         for (reading, looked) in run.surfaces.iter().enumerate() {
             let difference = checked.told(0.0, Some(reading));
-            missed += (difference - checked.told(looked.told_watts, None)).max(0.0);
+            if looked.is_flow {
+                missed += (difference - checked.told(looked.told_watts, None)).max(0.0);
+            }
             self.take_difference(looked.surface, difference);
         }
         self.miss(missed);
