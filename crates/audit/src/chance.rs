@@ -53,8 +53,8 @@ pub(crate) fn threshold(count: usize) -> f64 {
 mod tests {
     use super::*;
 
-    /// Student's t of seven degrees of freedom exceeds 4.52997 with the probability 0.00135 that a normal number exceeds 3:
-    /// both by their integrals.
+    /// Student's t of seven degrees of freedom exceeds 4.52997 as seldom as a normal number exceeds 3, by the integrals
+    /// of both.
     #[test]
     fn seven_degrees_of_freedom_exceed_more_as_seldom() {
         let student = student_of_normal(FINDING, FREEDOM);

@@ -135,8 +135,8 @@ impl Verdict {
 
     /// The readings that are off by more than chance, with the root mean square over their bands of what they are off
     /// by at least: by all of the difference where that is a hundredth of the mean as well and as seldom as a finding
-    /// among all readings, elsewhere by what is beyond three standard errors of all, and beyond what its own error, found
-    /// from few walks, exceeds as seldom.
+    /// among all readings, elsewhere by what is beyond three standard errors of all, and beyond what exceeds its own,
+    /// estimated standard error as seldom.
     pub(crate) fn off(judged: &[Judged]) -> Vec<(usize, f64)> {
         let (pooled, mean) = (pooled_error(judged), (Self::size(judged) / judged.len().max(1) as f64).sqrt());
         let few = student_of_normal(FINDING, FREEDOM);
