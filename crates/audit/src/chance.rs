@@ -24,8 +24,8 @@ pub(crate) fn normal_of_student(t: f64, freedom: f64) -> f64 {
     (8.0 * freedom + 1.0) / (8.0 * freedom + 3.0) * size.copysign(t)
 }
 
-/// The t of Student's distribution of ν degrees of freedom that is exceeded as seldom as a normal number: the inverse of
-/// [`normal_of_student`].
+/// The t of Student's distribution of ν degrees of freedom that is exceeded as seldom as a normal number: the inverse
+/// of [`normal_of_student`].
 pub(crate) fn student_of_normal(normal: f64, freedom: f64) -> f64 {
     let size = (8.0 * freedom + 3.0) / (8.0 * freedom + 1.0) * normal;
     (freedom * (size * size / freedom).exp_m1()).sqrt().copysign(normal)
