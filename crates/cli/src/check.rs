@@ -86,7 +86,10 @@ fn lines(scene: &Scene, inspection: &Inspection) -> Vec<String> {
     let Inspection { footprints, shells, near_points, warnings, .. } = inspection;
     let Fitted { welded, lying, .. } = &scene.fitted;
     lines.extend((welded.corners > 0).then(|| format!("welded: {welded}")));
-    lines.extend(lying.iter().map(|LiesOn { surface, on }| format!("set apart: {surface} lies on {on}")));
+    lines.extend(lying.iter().map(|LiesOn { surface, on, is_turned }| match is_turned {
+        true => format!("set apart: {surface} lies behind {on}, before which it was typed"),
+        false => format!("set apart: {surface} lies on {on}"),
+    }));
     lines.extend(footprints.iter().map(|own| format!("covered: {}", footprint_line(scene, own))));
     lines.extend(shells.iter().map(|own| format!("closed: {}", shell_line(scene, own))));
     let openings = scene.surfaces.iter().filter(|surface| surface.is_opening());

@@ -37,19 +37,21 @@ pub struct Step {
     pub on: usize,
     /// The step (scene length).
     pub by: DVec3,
+    /// Whether both are taken for the skins of one shell, back to back, though they were typed face to face.
+    pub is_turned: bool,
 }
 
 /// The moves of all sheets that lie on others, by index; sheets for which nothing decides have none.
 pub fn steps(sheets: &[Sheet]) -> Vec<Step> {
     let mut steps: HashMap<usize, Step> = HashMap::new();
     for Layer { sheet, lower } in layers(sheets) {
-        for Support { sheet: on, direction } in lower {
+        for Support { sheet: on, direction, is_turned } in lower {
             // A sheet on another one moves along with it.
             let off = OFF * gap::least(sheets[sheet].extent(), sheets[on].extent());
             let by = off * direction + steps.get(&on).map_or(DVec3::ZERO, |step| step.by);
-            let known = steps.entry(sheet).or_insert(Step { sheet, on, by });
+            let known = steps.entry(sheet).or_insert(Step { sheet, on, by, is_turned });
             if by.length_squared() > known.by.length_squared() {
-                *known = Step { sheet, on, by };
+                *known = Step { sheet, on, by, is_turned };
             }
         }
     }
@@ -83,6 +85,8 @@ struct Support {
     sheet: usize,
     /// Unit vector from it towards the other one.
     direction: DVec3,
+    /// As of [`Step`].
+    is_turned: bool,
 }
 
 /// The sheets that lie on others, lower ones first.
@@ -112,10 +116,11 @@ fn layers(sheets: &[Sheet]) -> Vec<Layer> {
             };
             let pair = Pair { sheet: &sheets[sheet], on: &sheets[on], bodies: [sheet, on].map(&mut height) };
             if let Some(direction) = pair.direction(&occupied[sheet], &occupied[on]) {
+                let is_turned = pair.is_turned(direction);
                 // Where the smaller one stays, the larger one goes the other way.
                 let (sheet, on, direction) =
                     if sheets[sheet].stays { (on, sheet, -direction) } else { (sheet, on, direction) };
-                lower.entry(sheet).or_default().push(Support { sheet: on, direction });
+                lower.entry(sheet).or_default().push(Support { sheet: on, direction, is_turned });
             }
         }
     }
@@ -170,6 +175,13 @@ impl Pair<'_> {
             (false, true) if is_within => by_sign(rounding).or(Some(normal)),
             (false, _) => by_sign(rounding),
         }
+    }
+
+    /// Whether the skins of a shell, set apart back to back along `direction`, were typed face to face.
+    fn is_turned(&self, direction: DVec3) -> bool {
+        let is_shell =
+            self.bodies[0] * self.bodies[1] > 0.0 && self.sheet.normal().dot(self.on.normal()) < 0.0;
+        is_shell && direction.dot(self.on.normal()) < 0.0 && self.sheet.typed_height(self.on) > 0.0
     }
 
     /// The largest distance from the origin of a typed corner of the larger sheet.
@@ -306,6 +318,22 @@ mod tests {
         let [inner, outer] = [square("inner", 0.0, 1.0, 0.0), down(square("outer", 0.0, 1.0, 0.0))];
         let found = heights(vec![inner, down(wall(0.0, 1.0, 0.0)), outer, wall(0.0, 1.0, 0.0)]);
         assert!(found[2] < found[0], "{found:?}");
+    }
+
+    /// The bottom of a box that was typed within rounding over that of a recess of its size is taken for a skin of a shell;
+    /// one that was typed below it is one.
+    #[test]
+    fn skins_that_were_typed_face_to_face_are_told() {
+        let is_turned = |typed: f64| {
+            let outer = down(Sheet {
+                typed: square("typed", 0.0, 1.0, typed).shape,
+                ..square("outer", 0.0, 1.0, 0.0)
+            });
+            let inner = square("inner", 0.0, 1.0, 0.0);
+            let sheets = [inner, down(wall(0.0, 1.0, 0.0)), outer, wall(0.0, 1.0, 0.0)];
+            steps(&sheets).iter().any(|step| step.is_turned)
+        };
+        assert_eq!([1e-12, 0.0, -1e-12].map(is_turned), [true, false, false]);
     }
 
     #[test]

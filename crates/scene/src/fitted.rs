@@ -33,6 +33,9 @@ pub struct LiesOn {
     pub surface: String,
     /// Name of the larger surface that it lies on.
     pub on: String,
+    /// Whether both are taken for the skins of one shell, back to back, though they were typed face to face: their gap
+    /// counts as rounding.
+    pub is_turned: bool,
 }
 
 impl Fitted {
@@ -44,8 +47,22 @@ impl Fitted {
             1 => Some(format!("'{}' lies on '{}'", self.lying[0].surface, self.lying[0].on)),
             count => Some(format!("{count} surfaces lie on others")),
         };
-        let parts: Vec<String> = welded.into_iter().chain(lying).collect();
+        let parts: Vec<String> = welded.into_iter().chain(lying).chain(self.turned()).collect();
         (!parts.is_empty()).then(|| parts.join("; "))
+    }
+
+    /// Words on faces whose gap counts as rounding, and which see nothing of each other.
+    fn turned(&self) -> Option<String> {
+        let turned: Vec<&LiesOn> = self.lying.iter().filter(|own| own.is_turned).collect();
+        let LiesOn { surface, on, .. } = turned.first()?;
+        let more = match turned.len() {
+            1 => String::new(),
+            count => format!(", and {} more", count - 1),
+        };
+        Some(format!(
+            "'{surface}' is taken to lie behind '{on}'{more}, before which it was typed within rounding: they see \
+             nothing of each other"
+        ))
     }
 }
 
@@ -80,7 +97,10 @@ fn set_apart(drafts: &mut [SurfaceDraft], typed: &[Arc<dyn Surface>]) -> Vec<Lie
     }
     let steps = stacked::set_apart(&mut sheets);
     let name = |index: usize| sheets[index].name.clone();
-    let found = steps.iter().map(|step| LiesOn { surface: name(step.sheet), on: name(step.on) }).collect();
+    let found = steps
+        .iter()
+        .map(|step| LiesOn { surface: name(step.sheet), on: name(step.on), is_turned: step.is_turned })
+        .collect();
     let shapes = drafts.iter_mut().flat_map(|draft| &mut draft.shapes).map(|own| &mut own.shape);
     shapes
         .filter(|shape| shape.region().is_some())

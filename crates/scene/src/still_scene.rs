@@ -111,7 +111,7 @@ impl Scene {
         }
         let sheets: Vec<Sheet> = fronts.iter().map(|index| self.sheet(*index, movers)).collect();
         self.fitted.lying.retain(|own| may_lie(&sheets, own));
-        for Step { sheet, on, by } in steps(&sheets) {
+        for Step { sheet, on, by, is_turned } in steps(&sheets) {
             let off = Motion::rigid(DQuat::IDENTITY, by);
             let front = fronts[sheet];
             let sides = if self.has_back(front) { front..front + 2 } else { front..front + 1 };
@@ -120,7 +120,7 @@ impl Scene {
                 moved.push((side, off));
             }
             let name = |sheet: usize| sheets[sheet].name.clone();
-            self.fitted.lying.push(LiesOn { surface: name(sheet), on: name(on) });
+            self.fitted.lying.push(LiesOn { surface: name(sheet), on: name(on), is_turned });
         }
         moved
     }
@@ -226,7 +226,7 @@ fn turn_radiance(surface: &mut SceneSurface, pose: &Pose) {
 }
 
 /// Whether a sheet that lay on another one at rest is still as near as that.
-fn may_lie(sheets: &[Sheet], LiesOn { surface, on }: &LiesOn) -> bool {
+fn may_lie(sheets: &[Sheet], LiesOn { surface, on, .. }: &LiesOn) -> bool {
     let found = |name: &String| sheets.iter().find(|sheet| sheet.name == *name);
     let bounds = |sheet: &Sheet, gap: f64| -> Aabb { sheet.shape.bounds(&Rect::FULL).inflate(gap) };
     match (found(surface), found(on)) {
