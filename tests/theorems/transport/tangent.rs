@@ -109,7 +109,7 @@ fn balls_beside_borders_tell_their_errors() {
     let mut of = |choices: &[f64]| choices[(random() * choices.len() as f64) as usize];
     let sizes: Vec<f64> = (0..=50).map(|k| 1e-3 * 300f64.powf(f64::from(k) / 50.0)).collect();
     let mut worst = 0.0f64;
-    for k in 0..48 {
+    for k in 0..32 {
         let eps = 0.1f64.powi(3 + k % 4);
         let x = of(&[-1.0, 1.0]) * of(&sizes);
         let y = [-2.0, of(&[-1.0, 1.0]) * of(&sizes)][k as usize / 4 % 2];
