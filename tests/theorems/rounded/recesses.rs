@@ -36,14 +36,22 @@ fn rows(found: &ViewFactors, of: &str) -> Vec<(f64, f64)> {
     sums.filter(|(_, name)| name.starts_with(of)).map(|((sum, told), _)| ((1.0 - sum).abs(), *told)).collect()
 }
 
+/// The rows of `of` miss 1 by no more than they tell.
+fn hold(found: &ViewFactors, of: &str, gap: f64) {
+    for (off, told) in rows(found, of) {
+        assert!(off <= TOLD * told + 1e-14, "{gap:e}: a row of the {of} is off by {off:e}, told {told:e}");
+    }
+}
+
 #[test]
 fn boxes_in_recesses_see_them_over_thin_gaps() {
     for gap in [1e-7, 3e-7, 1e-6, 1e-5] {
         let found = found(gap);
-        let place = |name: &str| found.names.iter().position(|own| own == name).expect("its name");
-        for (off, told) in rows(&found, "box") {
-            assert!(off <= TOLD * told + 1e-14, "{gap:e}: a row of the box is off by {off:e}, told {told:e}");
+        hold(&found, "box", gap);
+        if gap >= 1e-6 {
+            hold(&found, "recess", gap);
         }
+        let place = |name: &str| found.names.iter().position(|own| own == name).expect("its name");
         let (bottom, below) = (place("box-bottom"), place("recess-bottom"));
         let (factor, told) = (found.factor(bottom, below), found.errors[bottom]);
         let least = 1.0 - 2.0 * FRAC_PI_3 * gap / (1.0 - 2.0 * FRAC_PI_3 * gap);
@@ -54,12 +62,6 @@ fn boxes_in_recesses_see_them_over_thin_gaps() {
 
 #[test]
 fn rows_of_recesses_tell_what_they_miss() {
-    for gap in [1e-6, 1e-5, 3e-2] {
-        for (off, told) in rows(&found(gap), "recess") {
-            assert!(
-                off <= TOLD * told + 1e-14,
-                "{gap:e}: a row of the recess is off by {off:e}, told {told:e}"
-            );
-        }
-    }
+    let gap = 3e-2;
+    hold(&found(gap), "recess", gap);
 }

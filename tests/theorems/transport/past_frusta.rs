@@ -185,7 +185,7 @@ fn disks_past_things_are_polygons_of_many_sides() {
         .into_iter()
         .flat_map(|thing| places.map(|place| (thing, place)))
     {
-        let polygon = |radius: f64| seen(place, thing, Arc::new(many_sided(128, height, radius)));
+        let polygon = |radius: f64| seen(place, thing, Arc::new(many_sided(64, height, radius)));
         let (whole, amid) = (polygon(rim), polygon(hole));
         for (inner, right) in [(0.0, whole), (hole, whole - amid)] {
             let round = Disk::new(height * DVec3::Z, -DVec3::Z, rim, inner, FULL_TURN).expect("a ring");
@@ -202,7 +202,7 @@ fn disks_past_things_are_polygons_of_many_sides() {
 fn things_beyond_the_ends_of_others_are_caught_too() {
     let floor = || plate(DVec3::new(-0.1, -0.2, 0.0), 0.2 * DVec3::X, 0.4 * DVec3::Y);
     let ceiling = || plate(DVec3::new(-30.0, -30.0, 4.0), 60.0 * DVec3::Y, 60.0 * DVec3::X);
-    let eps = 1e-4;
+    let eps = 2e-4;
     let open = factors_of(&scene([floor(), ceiling()], None), Shadows::Auto, 1e-9, 1e-9).factor(0, 1);
     let axes = [0.4 * DVec3::Z, DVec3::new(0.1, 0.2, 0.4)];
     let closed = THINGS.into_iter().filter(|thing| !thing.is_open());
@@ -337,13 +337,12 @@ fn hidden(from: &Parallelogram, to: &Parallelogram, shapes: &Shapes) -> f64 {
                 let ray = Ray { origin: x.position, direction, range: [1e-9, 1.0 - 1e-9] };
                 shapes.iter().any(|shape| shape.occludes(&ray))
             };
-            let on_line = |s: f64| range(|t| is_hidden(s, t));
-            let Some([low, high]) = range(|s| on_line(s).is_some()) else { continue };
+            let Some([low, high]) = range(|s| looks().any(|t| is_hidden(s, t))) else { continue };
             // The part of a line changes like a square root at either end.
             let of_line = |(place, weight): (f64, f64)| {
                 let angle = PI * place;
                 let s = low + (high - low) * 0.5 * (1.0 - angle.cos());
-                let Some([first, last]) = on_line(s) else { return 0.0 };
+                let Some([first, last]) = range(|t| is_hidden(s, t)) else { return 0.0 };
                 let along = |(t, w): (f64, f64)| {
                     let y = at(to, s, first + (last - first) * t);
                     w * (last - first) * kernel(x.position, x.normal, y.position, y.normal)
@@ -363,14 +362,24 @@ fn kernel(x: DVec3, n: DVec3, y: DVec3, m: DVec3) -> f64 {
     n.dot(d).max(0.0) * (-m.dot(d)).max(0.0) / (PI * d.length_squared().powi(2))
 }
 
+/// Steps of [0, 1] at which what holds on a range of it is looked for.
+const LOOKS: usize = 40;
+
+fn at_look(k: usize) -> f64 {
+    k as f64 / LOOKS as f64
+}
+
+fn looks() -> impl Iterator<Item = f64> {
+    (0..=LOOKS).map(at_look)
+}
+
 /// The range of [0, 1] where something convex holds.
 fn range(holds: impl Fn(f64) -> bool) -> Option<[f64; 2]> {
-    const LOOKS: usize = 40;
-    let at = |k: usize| k as f64 / LOOKS as f64;
+    let at = at_look;
     let inner = (0..=LOOKS).find(|k| holds(at(*k)))?;
     let outer = (0..=LOOKS).rev().find(|k| holds(at(*k)))?;
     let border = |mut inside: f64, mut outside: f64| {
-        for _ in 0..40 {
+        for _ in 0..30 {
             let middle = 0.5 * (inside + outside);
             *(if holds(middle) { &mut inside } else { &mut outside }) = middle;
         }

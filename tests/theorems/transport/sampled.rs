@@ -82,9 +82,10 @@ fn turned_room() -> Scene {
 #[test]
 fn rays_find_the_exact_blocks_and_find_them_better_the_more_there_are() {
     for (scene, order) in [(builtin("furnace-cube"), 2), (can(), 1), (turned_room(), 1)] {
-        let visibility = Visibility::new(&scene, Shadows::Rays, 1e-4);
+        let visibility = Visibility::new(&scene, Shadows::Rays, 5e-4);
         let elements = elements_of(&scene, order, 1);
-        let accuracy = Accuracy { eps: 1e-5, shadow_eps: 1e-4 };
+        // A few parts in a thousand are left to the rays that are judged.
+        let accuracy = Accuracy { eps: 1e-5, shadow_eps: 5e-4 };
         let exact = blocks_of(&elements, &visibility, accuracy);
         let [few, many] = [1_000, 64_000].map(|rays| difference(&sampled(&scene, order, rays), &exact));
         println!("{}: {few:.2e} by 1000 rays from each element, {many:.2e} by 64 000", scene.name);
@@ -237,8 +238,8 @@ fn surfaces_apart(scene: &Scene, a: &Outcome, b: &Outcome) -> f64 {
 fn the_error_told_is_that_of_a_hundred_times_as_many_rays() {
     for name in ["cornell-box", "two-boxes", "occluder-box", "teapot", "furnace-cube"] {
         let scene = builtin(name);
-        let told = solved(&scene, Transport::Sampled, Some(30_000));
-        let fine = solved(&scene, Transport::Sampled, Some(3_000_000));
+        let told = solved(&scene, Transport::Sampled, Some(10_000));
+        let fine = solved(&scene, Transport::Sampled, Some(1_000_000));
         let error = told.sampling.and_then(|sampling| sampling.error).expect("rays carried the light");
         let truth = surfaces_apart(&scene, &told, &fine);
         println!("{name}: told {error:.2e} of elements, surfaces are off by {truth:.2e}");

@@ -5,6 +5,7 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use std::sync::Arc;
 
 use proptest::prelude::*;
+use radiosity::elements::rule::UnitRule;
 use radiosity::geom::shapes::{Cone, FULL_TURN, Triangle};
 use radiosity::geom::{DQuat, DVec3, Rect, Surface};
 use radiosity::kernel::Accuracy;
@@ -108,7 +109,7 @@ fn balls_beside_borders_tell_their_errors() {
     let mut of = |choices: &[f64]| choices[(random() * choices.len() as f64) as usize];
     let sizes: Vec<f64> = (0..=50).map(|k| 1e-3 * 300f64.powf(f64::from(k) / 50.0)).collect();
     let mut worst = 0.0f64;
-    for k in 0..48 {
+    for k in 0..32 {
         let eps = 0.1f64.powi(3 + k % 4);
         let x = of(&[-1.0, 1.0]) * of(&sizes);
         let y = [-2.0, of(&[-1.0, 1.0]) * of(&sizes)][k as usize / 4 % 2];
@@ -141,22 +142,11 @@ fn irradiance([x0, x1]: [f64; 2], [y0, y1]: [f64; 2], h: f64, angle: f64) -> f64
 
 /// Places and weights of the composite Gauss rule on a range, which shrinks toward its first end.
 fn graded(from: f64, to: f64) -> Vec<[f64; 2]> {
-    let gauss = [
-        [0.033_765_242_898_424, 0.085_662_246_189_585],
-        [0.169_395_306_766_868, 0.180_380_786_524_069],
-        [0.380_690_406_958_402, 0.233_956_967_286_346],
-        [0.619_309_593_041_598, 0.233_956_967_286_346],
-        [0.830_604_693_233_132, 0.180_380_786_524_069],
-        [0.966_234_757_101_576, 0.085_662_246_189_585],
-    ];
-    let part = |k: i32| -> Vec<[f64; 2]> {
+    let part = |k: i32| {
         let [low, high] = [0.5f64.powi(k + 1), 0.5f64.powi(k)];
-        let steps = 4;
-        let step = (high - low) / f64::from(steps);
-        let starts = (0..steps).map(|j| low + step * f64::from(j));
-        starts.flat_map(|start| gauss.map(|[t, w]| [start + step * t, step * w])).collect()
+        UnitRule::of(8).iter().map(move |(t, w)| [low + (high - low) * t, (high - low) * w])
     };
-    (0..40).flat_map(part).map(|[t, w]| [from + t * (to - from), w * (to - from).abs()]).collect()
+    (0..36).flat_map(part).map(|[t, w]| [from + t * (to - from), w * (to - from).abs()]).collect()
 }
 
 /// F of a can of the radius 1 and the length 2, which lies along y on the rectangle, to that.
@@ -164,10 +154,11 @@ fn of_can(x: [f64; 2], y: [f64; 2], height: f64) -> f64 {
     let mut sum = 0.0;
     // Parts of the can along its axis, which shrink toward the sides of the rectangle and the ends of the can.
     let ends = [-1.0, y[0].clamp(-1.0, 1.0), y[1].clamp(-1.0, 1.0), 1.0];
-    let halves: Vec<[f64; 2]> = ends
+    let along: Vec<[f64; 2]> = ends
         .windows(2)
         .filter(|part| part[0] < part[1])
         .flat_map(|part| [0, 1].map(|end| [part[end], 0.5 * (part[0] + part[1])]))
+        .flat_map(|half| graded(half[0], half[1]))
         .collect();
     // Both sides of the line of contact. Only what lies beyond the horizon, at sin φ x = (1 − cos φ) …, is
     // seen.
@@ -202,9 +193,8 @@ fn of_can(x: [f64; 2], y: [f64; 2], height: f64) -> f64 {
                     if from >= own[1] {
                         continue;
                     }
-                    let line: f64 = halves
+                    let line: f64 = along
                         .iter()
-                        .flat_map(|half| graded(half[0], half[1]))
                         .map(|[v, w]| {
                             w * irradiance([from - at, own[1] - at], [y[0] - v, y[1] - v], h, angle)
                         })
@@ -437,11 +427,11 @@ fn lids_hide_nothing_of_a_can() {
         let lids =
             [lid(base, -along), lid(base + axis, along)].into_iter().skip(usize::from(name == "standing"));
         let floor = || floor([-2.0, 2.0], [-2.0, 2.0]);
-        let alone = factors_of(&scene([floor(), Arc::clone(&can)]), Shadows::Auto, 1e-6, 1e-6);
-        let closed = factors_of(&scene([floor(), can].into_iter().chain(lids)), Shadows::Auto, 1e-6, 1e-6);
+        let alone = factors_of(&scene([floor(), Arc::clone(&can)]), Shadows::Auto, 1e-5, 1e-5);
+        let closed = factors_of(&scene([floor(), can].into_iter().chain(lids)), Shadows::Auto, 1e-5, 1e-5);
         let off = (alone.factor(1, 0) - closed.factor(1, 0)).abs();
         println!("{name}: {off:.1e}, {:.1e} told, {:?}", closed.errors[1], closed.pairs);
         // Four pairs of the lying can with lids go to rays, which tell more than is asked.
-        assert!(off < 1e-6 * alone.factor(1, 0) && closed.errors[1] < 2e-5, "{name}: {off:.1e}");
+        assert!(off < 1e-6 * alone.factor(1, 0) && closed.errors[1] < 2e-4, "{name}: {off:.1e}");
     }
 }
