@@ -320,7 +320,7 @@ mod tests {
         assert!(found[2] < found[0], "{found:?}");
     }
 
-    /// The bottom of a box that was typed within rounding over that of a recess of its size is taken for a skin of a shell;
+    /// The bottom of a box that was typed within rounding over that of a recess is taken for a skin of a shell;
     /// one that was typed below it is one.
     #[test]
     fn skins_that_were_typed_face_to_face_are_told() {
