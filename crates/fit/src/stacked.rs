@@ -85,7 +85,7 @@ struct Support {
     sheet: usize,
     /// Unit vector from it towards the other one.
     direction: DVec3,
-    /// As of [`Step`].
+    /// Whether both are taken for the skins of one shell though they were typed face to face.
     is_turned: bool,
 }
 

@@ -57,10 +57,10 @@ impl Fitted {
         let LiesOn { surface, on, .. } = turned.first()?;
         let more = match turned.len() {
             1 => String::new(),
-            count => format!(", and {} more", count - 1),
+            count => format!(" (and {} more)", count - 1),
         };
         Some(format!(
-            "'{surface}' is taken to lie behind '{on}'{more}, before which it was typed within rounding: they see \
+            "'{surface}' is taken to lie behind '{on}', before which it was typed within rounding{more}: they see \
              nothing of each other"
         ))
     }
