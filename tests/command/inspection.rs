@@ -351,10 +351,9 @@ fn the_cost_that_is_told_counts_what_a_run_has() {
         let [found, _] = done(folder.path(), &["check", scene, "--cost", "--format", "json"]);
         serde_json::from_str::<Value>(&found).expect("JSON")["cost"].clone()
     };
-    // Rules take longer in a teapot than in a ball, which is curved as well.
-    for scene in ["empty-box", "furnace-sphere", "teapot"] {
+    for scene in ["empty-box", "teapot"] {
         let ways = of_cost(scene);
-        for way in ways.as_array().expect("ways").iter().filter(|way| way["seconds"].as_f64() < Some(3.0)) {
+        for way in ways.as_array().expect("ways").iter().filter(|way| way["seconds"].as_f64() < Some(5.0)) {
             let options = way["options"].as_str().expect("options").split_whitespace();
             let args: Vec<&str> = ["solve", scene].into_iter().chain(options).collect();
             done(folder.path(), &[&args[..], &["-o", "s.json", "--report", "r.json"]].concat());

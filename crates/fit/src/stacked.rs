@@ -49,9 +49,10 @@ pub fn steps(sheets: &[Sheet]) -> Vec<Step> {
             // A sheet on another one moves along with it.
             let off = OFF * gap::least(sheets[sheet].extent(), sheets[on].extent());
             let by = off * direction + steps.get(&on).map_or(DVec3::ZERO, |step| step.by);
-            let known = steps.entry(sheet).or_insert(Step { sheet, on, by, is_turned });
+            let step = Step { sheet, on, by, is_turned };
+            let known = steps.entry(sheet).or_insert(step);
             if by.length_squared() > known.by.length_squared() {
-                *known = Step { sheet, on, by, is_turned };
+                *known = step;
             }
         }
     }

@@ -8,7 +8,7 @@ use std::sync::Arc;
 
 use radiosity_fit::{
     Welded, middle,
-    stacked::{self, Sheet},
+    stacked::{self, Sheet, Step},
     weld::weld,
 };
 use radiosity_geom::{DVec3, Surface};
@@ -36,6 +36,14 @@ pub struct LiesOn {
     /// Whether both are taken for the skins of one shell, back to back, though they were typed face to face: their gap
     /// counts as rounding.
     pub is_turned: bool,
+}
+
+impl LiesOn {
+    /// A step of these sheets, by their names.
+    pub(crate) fn of(step: &Step, sheets: &[Sheet]) -> Self {
+        let name = |sheet: usize| sheets[sheet].name.clone();
+        Self { surface: name(step.sheet), on: name(step.on), is_turned: step.is_turned }
+    }
 }
 
 impl Fitted {
@@ -96,11 +104,7 @@ fn set_apart(drafts: &mut [SurfaceDraft], typed: &[Arc<dyn Surface>]) -> Vec<Lie
         }
     }
     let steps = stacked::set_apart(&mut sheets);
-    let name = |index: usize| sheets[index].name.clone();
-    let found = steps
-        .iter()
-        .map(|step| LiesOn { surface: name(step.sheet), on: name(step.on), is_turned: step.is_turned })
-        .collect();
+    let found = steps.iter().map(|step| LiesOn::of(step, &sheets)).collect();
     let shapes = drafts.iter_mut().flat_map(|draft| &mut draft.shapes).map(|own| &mut own.shape);
     shapes
         .filter(|shape| shape.region().is_some())

@@ -13,7 +13,7 @@ use std::sync::Arc;
 use radiosity_fit::{
     coincident::Occupied,
     gap,
-    stacked::{Sheet, Step, steps},
+    stacked::{Sheet, steps},
 };
 use radiosity_geom::{Aabb, COINCIDENT, DQuat, Motion, Placed, Rect, Surface};
 
@@ -111,16 +111,15 @@ impl Scene {
         }
         let sheets: Vec<Sheet> = fronts.iter().map(|index| self.sheet(*index, movers)).collect();
         self.fitted.lying.retain(|own| may_lie(&sheets, own));
-        for Step { sheet, on, by, is_turned } in steps(&sheets) {
-            let off = Motion::rigid(DQuat::IDENTITY, by);
-            let front = fronts[sheet];
+        for step in steps(&sheets) {
+            let off = Motion::rigid(DQuat::IDENTITY, step.by);
+            let front = fronts[step.sheet];
             let sides = if self.has_back(front) { front..front + 2 } else { front..front + 1 };
             for side in sides {
                 put(&mut self.surfaces[side], &off);
                 moved.push((side, off));
             }
-            let name = |sheet: usize| sheets[sheet].name.clone();
-            self.fitted.lying.push(LiesOn { surface: name(sheet), on: name(on), is_turned });
+            self.fitted.lying.push(LiesOn::of(&step, &sheets));
         }
         moved
     }

@@ -68,7 +68,7 @@ fn flat_things_hide_the_floor_under_them() {
     let eps = 1e-3;
     for thing in [Thing::Cone, Thing::Collar, Thing::Cap, Thing::Can, Thing::Disk] {
         for (place, radius) in [([0.9, 1.1], 0.4), ([0.42, 2.05], 0.4), ([1.0, 1.25], 0.95)] {
-            for flatness in [1e-3, 1e-6] {
+            for flatness in [1e-3, 1e-4, 1e-6] {
                 let (mut builder, grey) = grey();
                 let walls = faces(DVec3::ZERO, [x * DVec3::X, y * DVec3::Y, z * DVec3::Z]);
                 for (k, wall) in walls.into_iter().enumerate() {

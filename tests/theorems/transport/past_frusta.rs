@@ -202,7 +202,7 @@ fn disks_past_things_are_polygons_of_many_sides() {
 fn things_beyond_the_ends_of_others_are_caught_too() {
     let floor = || plate(DVec3::new(-0.1, -0.2, 0.0), 0.2 * DVec3::X, 0.4 * DVec3::Y);
     let ceiling = || plate(DVec3::new(-30.0, -30.0, 4.0), 60.0 * DVec3::Y, 60.0 * DVec3::X);
-    let eps = 2e-4;
+    let eps = 1e-4;
     let open = factors_of(&scene([floor(), ceiling()], None), Shadows::Auto, 1e-9, 1e-9).factor(0, 1);
     let axes = [0.4 * DVec3::Z, DVec3::new(0.1, 0.2, 0.4)];
     let closed = THINGS.into_iter().filter(|thing| !thing.is_open());
@@ -375,9 +375,8 @@ fn looks() -> impl Iterator<Item = f64> {
 
 /// The range of [0, 1] where something convex holds.
 fn range(holds: impl Fn(f64) -> bool) -> Option<[f64; 2]> {
-    let at = at_look;
-    let inner = (0..=LOOKS).find(|k| holds(at(*k)))?;
-    let outer = (0..=LOOKS).rev().find(|k| holds(at(*k)))?;
+    let inner = (0..=LOOKS).find(|k| holds(at_look(*k)))?;
+    let outer = (0..=LOOKS).rev().find(|k| holds(at_look(*k)))?;
     let border = |mut inside: f64, mut outside: f64| {
         for _ in 0..30 {
             let middle = 0.5 * (inside + outside);
@@ -385,8 +384,8 @@ fn range(holds: impl Fn(f64) -> bool) -> Option<[f64; 2]> {
         }
         inside
     };
-    let low = if inner == 0 { 0.0 } else { border(at(inner), at(inner - 1)) };
-    let high = if outer == LOOKS { 1.0 } else { border(at(outer), at(outer + 1)) };
+    let low = if inner == 0 { 0.0 } else { border(at_look(inner), at_look(inner - 1)) };
+    let high = if outer == LOOKS { 1.0 } else { border(at_look(outer), at_look(outer + 1)) };
     Some([low, high])
 }
 
